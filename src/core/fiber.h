@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// How one fiber scatters light: f(wi, wo; u, h), split into f = f_F + f_R, where f_F is the TT lobe (straight through)
+// and f_R all the rest. Directions are unit and local to the fiber: x along the tangent u; theta is measured from the
+// normal plane (sin theta = x); wo points to the eye, wi to the light. h in [-1, 1] is the signed offset of the hit
+// from the axis in radii, seen from wo: the hit lies at h * normalize(cross(u, wo)) from the axis.
+#pragma once
+
+#include "core/math.h"
+
+namespace tress {
+
+enum class FiberModel { chiang, marschner };
+
+/// What a scene says of a fiber.
+struct FiberParameters {
+    FiberModel model = FiberModel::chiang;
+    Rgb sigma_a{0};           // absorption, 1 per fiber radius
+    float beta_m = 0.3f;      // longitudinal roughness, [0, 1]
+    float beta_n = 0.3f;      // azimuthal roughness, [0, 1]
+    float alpha_degrees = 2;  // tilt of the cuticle scales
+    float eta = 1.55f;        // refractive index, relative to air; at least 1
+};
+
+/// sigma_a of a mixture of melanins (d'Eon et al. 2011, sec. 6.1, as used by Chiang et al. 2016; concentrations >= 0).
+Rgb sigma_a_from_melanin(float eumelanin, float pheomelanin);
+/// sigma_a whose multiply scattered colour is `color` at azimuthal roughness beta_n (Chiang et al. 2016, eq. 9).
+Rgb sigma_a_from_color(const Rgb& color, float beta_n);
+
+/// A fiber made ready: what depends on its parameters alone.
+struct Fiber {
+    static constexpr int kLobes = 4;  // R, TT, TRT, and all the rest
+    static constexpr int kTransmitted = 1;
+
+    FiberParameters parameters;
+    float variance[kLobes];          // longitudinal, of lobe p
+    float azimuthal_scale;           // s of the logistic (chiang)
+    float sin_tilt[3], cos_tilt[3];  // of 2^k alpha (chiang), of lobe p's shift (marschner)
+};
+
+/// Throws InputError, naming the parameter, where one is out of range or not finite.
+Fiber make_fiber(const FiberParameters& parameters);
+
+/// Both parts of f * |cos theta_i|. The cosine is included because f alone is infinite at grazing wi.
+struct FiberScattering {
+    Rgb forward{0};    // f_F |cos theta_i|
+    Rgb reflected{0};  // f_R |cos theta_i|
+};
+
+/// `sigma_a` overrides the fiber's own absorption (strands with colours of their own).
+FiberScattering evaluate(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h);
+
+struct FiberSample {
+    Vec3 wi;
+    float pdf;  // 1 / steradian; 0: no direction
+    FiberScattering value;
+};
+
+/// Direction with density near proportional to f |cos theta_i|. `u` is uniform in [0, 1)^4.
+FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u);
+/// The density with which `sample` chooses wi.
+float pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h);
+
+/// Albedo of the TT lobe for light that arrives at inclination theta, averaged over h: the a_k of the straight-through
+/// model. By quadrature; renderers use the table of attenuation.h.
+Rgb forward_albedo(const Fiber& fiber, const Rgb& sigma_a, float sin_theta);
+
+}  // namespace tress

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "core/options.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/nearest_name.h"
+
+namespace tress {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view kMethodNames[] = {"off", "ray"};
+constexpr std::string_view kIsaNames[] = {"auto", "scalar", "sse4", "avx2", "avx512"};
+constexpr std::string_view kSplitNames[] = {"binned", "exact", "naive", "spatial_median", "object_median"};
+constexpr double kMaxCount = 1e9;
+
+template <class Enum>
+Choice choice(Enum& value, std::span<const std::string_view> names) {
+    static_assert(std::is_same_v<std::underlying_type_t<Enum>, int>);
+    return {reinterpret_cast<int*>(&value), names};
+}
+
+template <class T>
+T parse_number(const std::string& where, const OptionField& field, std::string_view text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    if (!whole || !(double(value) >= field.lowest && double(value) <= field.highest))
+        throw InputError(where, "'" + std::string(text) + "' for " + field.key + ", expected " + accepted(field));
+    return value;
+}
+
+bool parse_bool(const std::string& where, const OptionField& field, std::string_view text) {
+    if (text == "true" || text == "1" || text == "on") return true;
+    if (text == "false" || text == "0" || text == "off") return false;
+    throw InputError(where, "'" + std::string(text) + "' for " + field.key + ", expected " + accepted(field));
+}
+
+int parse_choice(const std::string& where, const OptionField& field, std::string_view text) {
+    const auto names = std::get<Choice>(field.value).names;
+    for (size_t i = 0; i < names.size(); ++i)
+        if (names[i] == text) return int(i);
+    throw InputError(where, "'" + std::string(text) + "' for " + field.key + ", expected " + accepted(field));
+}
+
+template <class T>
+std::string number_text(T value) {
+    char text[40];
+    const auto result = std::to_chars(text, text + sizeof text, value);
+    return {text, result.ptr};
+}
+
+}  // namespace
+
+std::vector<OptionField> option_fields(Options& o) {
+    AccelOptions& a = o.accel;
+    FilmOptions& f = o.film;
+    return {
+        {"type1", choice(o.type1, kMethodNames), 0, 0, "light from lamps, straight through hair"},
+        {"type2", choice(o.type2, kMethodNames), 0, 0, "light from the environment, straight through hair"},
+        {"spp", &o.spp, 1, 1 << 20, "samples a pixel; with time, the most that are taken"},
+        {"time", &o.time, 0, 1e9, "seconds of rendering after which no new pass starts; 0: no limit"},
+        {"seed", &o.seed, 0, double(std::numeric_limits<uint64_t>::max()), "of all random numbers"},
+        {"threads", &o.threads, 0, 4096, "0: as many as the machine has"},
+        {"isa", choice(o.isa, kIsaNames), 0, 0, "instruction set; auto: the best that the machine has"},
+        {"cutoff", &o.cutoff, 0, 0.1, "transmittance below which a ray counts as blocked"},
+        {"accel.split", choice(a.split, kSplitNames), 0, 0, "how a cell is split"},
+        {"accel.traversal_cost", &a.traversal_cost, 0, 1e6, "cost of a step, in tests of one segment"},
+        {"accel.empty_bonus", &a.empty_bonus, 0, 0.99, "share taken off the cost where one side is empty"},
+        {"accel.bins", &a.bins, 2, 256, "bins an axis (binned)"},
+        {"accel.exact_below", &a.exact_below, 0, 4096, "references up to which a node is swept exactly (binned)"},
+        {"accel.clip", &a.clip, 0, 0, "cut references to their cell"},
+        {"accel.automatic", &a.automatic, 0, 0, "stop where no split is cheaper than a leaf"},
+        {"accel.leaf_size", &a.leaf_size, 1, kMaxCount, "references a leaf may keep (automatic off)"},
+        {"accel.depth_base", &a.depth_base, 0, 60, "depth limit: base + factor log2(n), at most 60"},
+        {"accel.depth_factor", &a.depth_factor, 0, 10, "depth limit: base + factor log2(n), at most 60"},
+        {"accel.failed_splits", &a.failed_splits, 0, 60, "splits dearer than a leaf allowed on a path"},
+        {"film.filter_radius", &f.filter_radius, 0.5, 8, "pixels; 0.5: a box of one pixel"},
+        {"film.exposure", &f.exposure, -40, 40, "stops, of the PNG only"},
+    };
+}
+
+std::string accepted(const OptionField& field) {
+    if (std::holds_alternative<bool*>(field.value)) return "true or false";
+    std::ostringstream text;
+    if (const Choice* c = std::get_if<Choice>(&field.value)) {
+        text << "one of";
+        for (size_t i = 0; i < c->names.size(); ++i) text << (i ? ", " : " ") << c->names[i];
+        return text.str();
+    }
+    const bool whole = std::holds_alternative<int*>(field.value) || std::holds_alternative<uint64_t*>(field.value);
+    text << (whole ? "a whole number" : "a number") << " from " << number_text(field.lowest) << " to "
+         << number_text(field.highest);
+    return text.str();
+}
+
+std::string option_text(const OptionField& field) {
+    return std::visit(
+        [](auto value) -> std::string {
+            using T = decltype(value);
+            if constexpr (std::is_same_v<T, Choice>)
+                return std::string(value.names[size_t(*value.value)]);
+            else if constexpr (std::is_same_v<T, bool*>)
+                return *value ? "true" : "false";
+            else
+                return number_text(*value);
+        },
+        field.value);
+}
+
+void set_option(Options& options, const std::string& where, std::string_view key, std::string_view text) {
+    std::vector<std::string> keys;
+    for (const OptionField& field : option_fields(options)) {
+        if (field.key != key) {
+            keys.push_back(field.key);
+            continue;
+        }
+        std::visit(
+            [&](auto value) {
+                using T = decltype(value);
+                if constexpr (std::is_same_v<T, Choice>)
+                    *value.value = parse_choice(where, field, text);
+                else if constexpr (std::is_same_v<T, bool*>)
+                    *value = parse_bool(where, field, text);
+                else
+                    *value = parse_number<std::remove_pointer_t<T>>(where, field, text);
+            },
+            field.value);
+        return;
+    }
+    throw InputError(where, "unknown option '" + std::string(key) + "', " + did_you_mean(key, keys));
+}
+
+}  // namespace tress

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What a user can choose, with defaults, ranges and units. One field list (option_fields) feeds JSON, --set, the
+// command's help, the plan and the metadata of pictures; no other list of these names exists.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tress {
+
+enum class Type1Method : int { off, ray };
+enum class Type2Method : int { off, ray };
+enum class Isa : int { automatic, scalar, sse4, avx2, avx512 };
+enum class SplitMethod : int { binned, exact, naive, spatial_median, object_median };
+
+/// Parameters of the kd-tree after Havran 2000 and Wald & Havran 2006.
+struct AccelOptions {
+    SplitMethod split = SplitMethod::binned;
+    float traversal_cost = 20;  // of a step, in tests of one segment: too low makes tiny leaves, see docs/tree.md
+    float empty_bonus = 0.2f;   // share of the cost taken off where one side is empty
+    int bins = 32;              // an axis
+    int exact_below = 32;       // references: smaller nodes are swept exactly (binned only)
+    bool clip = true;           // split clipping: a reference is cut to its cell
+    bool automatic = true;      // stop where no split is cheaper than a leaf; otherwise at leaf_size and max_depth
+    int leaf_size = 8;          // references a leaf may keep unsplit when automatic is off
+    float depth_base = 8;       // depth limit = depth_base + depth_factor log2(n), at most 60
+    float depth_factor = 1.8f;
+    int failed_splits = 0;  // splits dearer than a leaf allowed on a path
+};
+
+struct FilmOptions {
+    float filter_radius = 1.5f;  // pixels; Blackman-Harris, by importance sampling. 0.5: a box of one pixel
+    float exposure = 0;          // stops, of the PNG only
+};
+
+struct Options {
+    Type1Method type1 = Type1Method::ray;
+    Type2Method type2 = Type2Method::ray;
+    int spp = 64;     // samples a pixel
+    double time = 0;  // seconds of rendering after which no new pass starts; 0: none
+    uint64_t seed = 0;
+    int threads = 0;  // 0: all
+    Isa isa = Isa::automatic;
+    float cutoff = 1e-6f;  // transmittance below which a ray counts as blocked
+    AccelOptions accel;
+    FilmOptions film;
+};
+
+/// An enum option, as its number and the names of its values in order.
+struct Choice {
+    int* value;
+    std::span<const std::string_view> names;
+};
+
+/// One option: where it lives, what it is called ("accel.bins"), what it may be.
+struct OptionField {
+    std::string key;
+    std::variant<bool*, int*, uint64_t*, float*, double*, Choice> value;
+    double lowest, highest;  // inclusive; ignored for bool and Choice
+    std::string_view help;   // one line, with the unit
+};
+
+/// The field list, bound to `options`.
+std::vector<OptionField> option_fields(Options& options);
+
+/// Sets `key` from text; throws InputError that names `where`, the nearest known key, or the range.
+void set_option(Options& options, const std::string& where, std::string_view key, std::string_view text);
+
+/// The value as set_option would read it.
+std::string option_text(const OptionField& field);
+
+/// "one of a, b, c" or "a whole number from 1 to 64": what a field accepts.
+std::string accepted(const OptionField& field);
+
+}  // namespace tress

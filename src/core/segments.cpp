@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "core/segments.h"
+
+namespace tress {
+namespace {
+
+bool is_valid(const StrandSet& s, uint32_t p) {
+    return is_finite(s.point(p)) && std::isfinite(s.radius_at(p)) && s.radius_at(p) >= 0 &&
+           (s.color.empty() || is_finite(s.color[p]));
+}
+
+/// Shortest length whose direction is not lost to rounding (16 ulp) or to the fiber's own width.
+double shortest_length(const Vec3& a, const Vec3& b, float radius) {
+    const float largest = glm::max(max_component(abs(a)), max_component(abs(b)));
+    const double ulps = 16.0 * std::numeric_limits<float>::epsilon() * double(largest);
+    return glm::max(ulps, 1e-3 * double(radius));
+}
+
+}  // namespace
+
+SegmentList list_segments(const StrandSet& strands) {
+    SegmentList list;
+    list.point.reserve(strands.points() - strands.strands());
+    for (size_t strand = 0; strand < strands.strands(); ++strand) {
+        for (uint32_t p = strands.first[strand]; p + 1 < strands.first[strand + 1]; ++p) {
+            if (!is_valid(strands, p) || !is_valid(strands, p + 1)) {
+                ++list.dropped;
+                continue;
+            }
+            const float radius = glm::max(strands.radius_at(p), strands.radius_at(p + 1));
+            if (radius == 0) continue;
+            const Vec3 a = strands.point(p), b = strands.point(p + 1);
+            if (distance(DVec3(a), DVec3(b)) <= shortest_length(a, b, radius)) {
+                ++list.dropped;
+                continue;
+            }
+            list.point.push_back(p);
+        }
+    }
+    return list;
+}
+
+SegmentView view(const StrandSet& strands, const SegmentList& list) {
+    SegmentView v;
+    v.x = strands.x, v.y = strands.y, v.z = strands.z;
+    v.radius = strands.radius;
+    v.point = list.point;
+    v.constant_radius = strands.constant_radius;
+    return v;
+}
+
+Bounds bounds(const SegmentView& segments) {
+    Bounds box;
+    for (size_t s = 0; s < segments.size(); ++s) {
+        const Vec3 r0(segments.start_radius(s)), r1(segments.end_radius(s));
+        box.add(segments.start(s) - r0);
+        box.add(segments.start(s) + r0);
+        box.add(segments.end(s) - r1);
+        box.add(segments.end(s) + r1);
+    }
+    return box;
+}
+
+}  // namespace tress

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Segments: what the hair tree is built over. A segment joins point p and point p + 1; its identity is its place in
+// the list. Segments that no ray can meet, or that are not finite, are left out of the list and counted.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/bounds.h"
+#include "core/strands.h"
+
+namespace tress {
+
+/// A view of points and of the segments between them. `linked`: consecutive segments that share a point are one
+/// strand, so that a crossing at their joint is one crossing; otherwise every segment stands alone and has round ends.
+struct SegmentView {
+    std::span<const float> x, y, z;
+    std::span<const float> radius;    // one a point, or empty: constant_radius
+    std::span<const uint32_t> point;  // one a segment: its first point; the second is the next
+    float constant_radius = 0;
+    bool linked = true;
+
+    size_t size() const { return point.size(); }
+    Vec3 start(size_t segment) const { return at(point[segment]); }
+    Vec3 end(size_t segment) const { return at(point[segment] + 1); }
+    float start_radius(size_t segment) const { return radius_at(point[segment]); }
+    float end_radius(size_t segment) const { return radius_at(point[segment] + 1); }
+
+private:
+    Vec3 at(uint32_t p) const { return {x[p], y[p], z[p]}; }
+    float radius_at(uint32_t p) const { return radius.empty() ? constant_radius : radius[p]; }
+};
+
+struct SegmentList {
+    std::vector<uint32_t> point;  // first point of each segment kept, ascending
+    uint64_t dropped = 0;         // not finite, negative radius, or too short to have a direction
+};
+
+/// Segments of `strands` worth tracing. Dropped: a point or radius that is not finite, a negative radius, a length of
+/// at most max(16 ulp of its coordinates, a thousandth of its radius). Of radius 0: left out, not counted as dropped.
+SegmentList list_segments(const StrandSet& strands);
+
+SegmentView view(const StrandSet& strands, const SegmentList& list);
+
+/// Segments [first, last] of the same strand that touch `segment`, itself included: what a ray that starts on it must
+/// not meet.
+struct SegmentRange {
+    uint32_t first, last;
+};
+inline SegmentRange touching(const SegmentView& v, uint32_t segment) {
+    SegmentRange range{segment, segment};
+    if (!v.linked) return range;
+    if (segment > 0 && v.point[segment - 1] + 1 == v.point[segment]) range.first = segment - 1;
+    if (segment + 1 < v.size() && v.point[segment] + 1 == v.point[segment + 1]) range.last = segment + 1;
+    return range;
+}
+
+/// Box of all segments, radii included.
+Bounds bounds(const SegmentView& segments);
+
+}  // namespace tress
