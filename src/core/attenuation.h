@@ -34,10 +34,10 @@ AbsorptionTable make_absorption_table(const Fiber& fiber);
 
 /// The depth of every segment of a scene. Absent arrays are empty: one fiber, no colours.
 struct Attenuation {
-    std::vector<AttenuationTable> table;    // one a fiber; empty where sigma_a is not
-    std::vector<AbsorptionTable> varying;   // one a fiber; empty where sigma_a is
-    std::vector<uint8_t> fiber_of_segment;  // or empty: fiber 0
-    std::vector<Rgb> sigma_a;               // one a segment, or empty: the fiber's own
+    std::vector<AttenuationTable> table;     // one a fiber; empty where sigma_a is not
+    std::vector<AbsorptionTable> varying;    // one a fiber; empty where sigma_a is
+    std::vector<uint16_t> fiber_of_segment;  // or empty: fiber 0
+    std::vector<Rgb> sigma_a;                // one a segment, or empty: the fiber's own
 
     Rgb depth(uint32_t segment, float abs_sin_theta) const {
         const size_t fiber = fiber_of_segment.empty() ? 0 : fiber_of_segment[segment];

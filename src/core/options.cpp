@@ -15,6 +15,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view kMethodNames[] = {"off", "ray"};
+constexpr std::string_view kOffOnly[] = {"off"};
 constexpr std::string_view kIsaNames[] = {"auto", "scalar", "sse4", "avx2", "avx512"};
 constexpr std::string_view kSplitNames[] = {"binned", "exact", "naive", "spatial_median", "object_median"};
 constexpr double kMaxCount = 1e9;
@@ -63,6 +64,9 @@ std::vector<OptionField> option_fields(Options& o) {
     return {
         {"type1", choice(o.type1, kMethodNames), 0, 0, "light from lamps, straight through hair"},
         {"type2", choice(o.type2, kMethodNames), 0, 0, "light from the environment, straight through hair"},
+        {"type3", choice(o.type3, kOffOnly), 0, 0, "light from lamps, scattered once on its way"},
+        {"type4", choice(o.type4, kOffOnly), 0, 0, "light from lamps, scattered more than once"},
+        {"type5", choice(o.type5, kOffOnly), 0, 0, "light from elsewhere, scattered on its way"},
         {"spp", &o.spp, 1, 1 << 20, "samples a pixel; with time, the most that are taken"},
         {"time", &o.time, 0, 1e9, "seconds of rendering after which no new pass starts; 0: no limit"},
         {"seed", &o.seed, 0, double(std::numeric_limits<uint64_t>::max()), "of all random numbers"},
@@ -98,6 +102,8 @@ std::string accepted(const OptionField& field) {
          << number_text(field.highest);
     return text.str();
 }
+
+std::string_view isa_name(Isa isa) { return kIsaNames[size_t(isa)]; }
 
 std::string option_text(const OptionField& field) {
     return std::visit(

@@ -14,6 +14,7 @@ namespace tress {
 
 enum class Type1Method : int { off, ray };
 enum class Type2Method : int { off, ray };
+enum class OtherTypes : int { off };  // types 3 to 5: no method yet
 enum class Isa : int { automatic, scalar, sse4, avx2, avx512 };
 enum class SplitMethod : int { binned, exact, naive, spatial_median, object_median };
 
@@ -40,6 +41,7 @@ struct FilmOptions {
 struct Options {
     Type1Method type1 = Type1Method::ray;
     Type2Method type2 = Type2Method::ray;
+    OtherTypes type3 = OtherTypes::off, type4 = OtherTypes::off, type5 = OtherTypes::off;
     int spp = 64;     // samples a pixel
     double time = 0;  // seconds of rendering after which no new pass starts; 0: none
     uint64_t seed = 0;
@@ -69,6 +71,9 @@ std::vector<OptionField> option_fields(Options& options);
 
 /// Sets `key` from text; throws InputError that names `where`, the nearest known key, or the range.
 void set_option(Options& options, const std::string& where, std::string_view key, std::string_view text);
+
+/// "avx2" …
+std::string_view isa_name(Isa isa);
 
 /// The value as set_option would read it.
 std::string option_text(const OptionField& field);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene ready to render: everything loaded, grown, placed, and moved so that its middle is the origin.
+// A scene ready to render: everything loaded, grown, placed, and moved so that the middle of its hair is the origin.
 #pragma once
 
 #include <vector>
@@ -38,10 +38,12 @@ struct Scene {
     std::vector<Rgb> albedo;              // one a surface of `mesh`
     std::vector<Light> lights;
     Camera camera;
+    Bounds bounds;  // of hair points and mesh vertices
 };
 
-/// Places everything in double, moves the middle of all of it to the origin, and rounds to float once.
-/// Throws InputError where a hair is thinner than 4 ulp of its coordinates after recentring.
+/// Places everything in double, moves the middle of the hair (without hair: of the meshes) to the origin, and rounds to
+/// float once. Throws InputError where hair is thinner than 4 ulp of its coordinates, as given or recentred, and where
+/// there are more points or vertices than 32 bits count.
 Scene assemble(std::vector<PlacedHair> hair, std::vector<PlacedMesh> meshes, std::vector<Light> lights,
                const Camera& camera);
 

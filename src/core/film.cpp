@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "core/film.h"
+
+#include <limits>
+
+namespace tress {
+namespace {
+
+using Sums = std::vector<glm::dvec3>;
+
+/// Rounds to float without ever becoming infinite.
+float narrow(double value) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return float(glm::clamp(value, -largest, largest));
+}
+
+void append(std::vector<float>& data, const glm::dvec3& value) {
+    data.insert(data.end(), {narrow(value.x), narrow(value.y), narrow(value.z)});
+}
+
+Layer mean_layer(const Film& film, const char* name, const Sums& sums) {
+    Layer layer{name, {"R", "G", "B"}, {}};
+    layer.data.reserve(3 * sums.size());
+    for (size_t i = 0; i < sums.size(); ++i) append(layer.data, sums[i] / double(glm::max(1u, film.samples[i])));
+    return layer;
+}
+
+Layer beauty_layer(const Film& film) {
+    Layer layer{"", {"R", "G", "B", "A"}, {}};
+    layer.data.reserve(4 * film.beauty.size());
+    for (size_t i = 0; i < film.beauty.size(); ++i) {
+        const double n = glm::max(1u, film.samples[i]);
+        append(layer.data, film.beauty[i] / n);
+        layer.data.push_back(float(film.hits[i] / n));
+    }
+    return layer;
+}
+
+/// Unbiased variance of the mean of n samples: (sum of squares - (sum)^2 / n) / (n (n - 1)).
+Layer variance_layer(const Film& film) {
+    Layer layer{"variance", {"R", "G", "B"}, {}};
+    layer.data.reserve(3 * film.beauty.size());
+    for (size_t i = 0; i < film.beauty.size(); ++i) {
+        const double n = film.samples[i];
+        if (n < 2) {
+            append(layer.data, glm::dvec3(0));
+            continue;
+        }
+        const glm::dvec3 spread = film.squares[i] - film.beauty[i] * film.beauty[i] / n;
+        append(layer.data, max(spread, glm::dvec3(0)) / (n * (n - 1)));
+    }
+    return layer;
+}
+
+Layer depth_layer(const Film& film) {
+    Layer layer{"depth", {"Z"}, {}};
+    layer.data.reserve(film.depth.size());
+    for (size_t i = 0; i < film.depth.size(); ++i)
+        layer.data.push_back(narrow(film.depth[i] / glm::max(1u, film.hits[i])));
+    return layer;
+}
+
+}  // namespace
+
+Film make_film(int width, int height, const Plan& plan) {
+    const size_t n = size_t(width) * size_t(height);
+    Film film{width, height, {}, {}, {}, {}, {}, {}, {}, {}};
+    for (Sums* sums : {&film.beauty, &film.squares, &film.albedo}) sums->assign(n, glm::dvec3(0));
+    if (!plan.type1_lights.empty()) film.type1.assign(n, glm::dvec3(0));
+    if (!plan.type2_lights.empty()) film.type2.assign(n, glm::dvec3(0));
+    film.depth.assign(n, 0);
+    film.hits.assign(n, 0);
+    film.samples.assign(n, 0);
+    return film;
+}
+
+void add(Film& film, size_t pixel, const FilmSample& sample) {
+    const glm::dvec3 beauty = glm::dvec3(sample.background) + glm::dvec3(sample.type1) + glm::dvec3(sample.type2);
+    film.beauty[pixel] += beauty;
+    film.squares[pixel] += beauty * beauty;
+    if (!film.type1.empty()) film.type1[pixel] += glm::dvec3(sample.type1);
+    if (!film.type2.empty()) film.type2[pixel] += glm::dvec3(sample.type2);
+    ++film.samples[pixel];
+    if (!sample.hit) return;
+    film.albedo[pixel] += glm::dvec3(sample.albedo);
+    film.depth[pixel] += double(sample.depth);
+    ++film.hits[pixel];
+}
+
+size_t bytes(const Film& film) {
+    size_t total =
+        film.depth.capacity() * sizeof(double) + (film.hits.capacity() + film.samples.capacity()) * sizeof(uint32_t);
+    for (const Sums* sums : {&film.beauty, &film.squares, &film.type1, &film.type2, &film.albedo})
+        total += sums->capacity() * sizeof(glm::dvec3);
+    return total;
+}
+
+LayeredImage develop(const Film& film) {
+    LayeredImage image{film.width, film.height, {beauty_layer(film)}, {}};
+    if (!film.type1.empty()) image.layers.push_back(mean_layer(film, "type1", film.type1));
+    if (!film.type2.empty()) image.layers.push_back(mean_layer(film, "type2", film.type2));
+    image.layers.push_back(variance_layer(film));
+    image.layers.push_back(depth_layer(film));
+    image.layers.push_back(mean_layer(film, "albedo", film.albedo));
+    return image;
+}
+
+}  // namespace tress

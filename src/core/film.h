@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What a render gathers a pixel: sums in double, so that a million samples lose nothing. Layers that no type of light
+// needs are not allocated.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image.h"
+#include "core/plan.h"
+
+namespace tress {
+
+/// One sample of one pixel.
+struct FilmSample {
+    Rgb background{0};       // environment seen past everything
+    Rgb type1{0}, type2{0};  // light of each type
+    Rgb albedo{0};
+    float depth = 0;  // along the camera ray, where something was hit
+    bool hit = false;
+};
+
+/// Sums, one a pixel. Absent arrays are empty.
+struct Film {
+    int width = 0, height = 0;
+    std::vector<glm::dvec3> beauty, squares, type1, type2, albedo;
+    std::vector<double> depth;
+    std::vector<uint32_t> hits, samples;
+};
+
+Film make_film(int width, int height, const Plan& plan);
+void add(Film& film, size_t pixel, const FilmSample& sample);
+size_t bytes(const Film& film);
+
+/// Means of all layers: beauty (R, G, B, A), type1, type2 where present, variance (of the pixel's mean; for the
+/// low-discrepancy samples used here an upper estimate), depth (mean over what was hit; 0 where nothing was), albedo.
+LayeredImage develop(const Film& film);
+
+}  // namespace tress

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Sampling of lights that have a place or a direction. The environment has environment.h.
+#pragma once
+
+#include "core/light.h"
+
+namespace tress {
+
+/// One direction towards a light from a point, and what comes along it if nothing is in the way.
+struct LightSample {
+    Vec3 direction{0, 0, 1};  // unit
+    float distance = 0;       // to the light; infinity for distant lights and the environment
+    Rgb irradiance{0};        // radiance / pdf, so that f |cos| irradiance is the estimate; 0: no light here
+};
+
+/// Largest irradiance kept: a light of 1e30 W/sr, or one at distance 1e-20, stays finite down to the film.
+inline constexpr float kLargestIrradiance = 1e30f;
+
+LightSample sample(const PointLight& light, const Vec3& point, const Vec2& u);
+LightSample sample(const SpotLight& light, const Vec3& point, const Vec2& u);
+LightSample sample(const DistantLight& light, const Vec3& point, const Vec2& u);
+/// Uniform over the area.
+LightSample sample(const QuadLight& light, const Vec3& point, const Vec2& u);
+
+}  // namespace tress
