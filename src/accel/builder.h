@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Builds the topology of a kd-tree over any primitives that have
+//     size()             how many
+//     reference(id)      their box
+//     clip(reference)    the box shrunk to what lies in it; false: nothing
+#pragma once
+
+#include <tbb/parallel_reduce.h>
+
+#include "accel/grow.h"
+#include "accel/index_limit.h"
+#include "accel/reference_node.h"
+
+namespace tress {
+
+template <class Primitives>
+ReferenceArray all_references(const Primitives& primitives) {
+    constexpr size_t kGrain = 16384;
+    ReferenceArray references(primitives.size());
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, references.size, kGrain), [&](const auto& range) {
+        for (size_t i = range.begin(); i < range.end(); ++i) references.data[i] = primitives.reference(uint32_t(i));
+    });
+    return references;
+}
+
+inline Bounds bounds(std::span<const Reference> references) {
+    Bounds box;
+    for (const Reference& r : references) box.add({r.lo, r.hi});
+    return box;
+}
+
+/// Of at least one primitive.
+template <class Primitives>
+KdTopology build_topology(const Primitives& primitives, const AccelOptions& options, uint32_t index_limit) {
+    check_index_limit("primitives", primitives.size(), KdNode::kMaxIndex);
+    ReferenceArray references = all_references(primitives);
+    const Bounds box = bounds(references.span());
+    const PendingNode root = root_node(box, primitives.size(), options);
+    tbb::enumerable_thread_specific<ReferenceScratch> scratch;
+    const auto tree = grow(LargeNode(primitives, std::move(references)), root, options, scratch);
+    return join(*tree, box, index_limit);
+}
+
+}  // namespace tress

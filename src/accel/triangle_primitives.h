@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Triangles as the builder sees them: boxes, and boxes of what remains of a triangle clipped to a box. Coordinates are
+// relative to an origin, subtracted in double and rounded to float once.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "accel/reference.h"
+#include "core/mesh.h"
+
+namespace tress {
+
+class TrianglePrimitives {
+public:
+    TrianglePrimitives(const TriangleMesh& mesh, const DVec3& origin);
+
+    size_t size() const { return corners_.size(); }
+    const std::array<Vec3, 3>& operator[](size_t id) const { return corners_[id]; }
+
+    /// Box of the triangle, and some roundings more.
+    Reference reference(uint32_t id) const;
+
+    /// Shrinks the box to the part of the triangle that lies in it; false where there is none.
+    bool clip(Reference& reference) const;
+
+private:
+    std::vector<std::array<Vec3, 3>> corners_;
+    double padding_ = 0;  // roundings of the scene's largest coordinate
+};
+
+}  // namespace tress
