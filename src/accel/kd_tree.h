@@ -24,7 +24,8 @@ struct KdTree {
     Bounds bounds;              // relative to origin
     std::vector<KdNode> nodes;  // empty: nothing to hit
     LeafBlocks leaves;
-    bool open_ends = false;  // segments: strands share their ends, so a crossing at a joint is counted once
+    bool open_ends = false;     // segments: strands share their ends, so a crossing at a joint is counted once
+    float longest_segment = 0;  // no axis is longer; 0: not known
 
     bool empty() const { return nodes.empty(); }
 };

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Queries on segments: a short policy each for the loop of traverse-inl.h.
+#if defined(TRESS_ACCEL_SEGMENT_QUERIES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRESS_ACCEL_SEGMENT_QUERIES_INL_H
+#undef TRESS_ACCEL_SEGMENT_QUERIES_INL_H
+#else
+#define TRESS_ACCEL_SEGMENT_QUERIES_INL_H
+#endif
+
+#include <algorithm>
+
+#include "accel/for_each_ray-inl.h"
+#include "accel/segment_test-inl.h"
+#include "accel/traverse-inl.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace tress {
+namespace HWY_NAMESPACE {
+
+/// What all rays of a batch share.
+struct SegmentScene {
+    const KdTree& tree;
+    float longest;
+
+    explicit SegmentScene(const KdTree& t)
+        : tree(t), longest(t.longest_segment > 0 ? t.longest_segment : length(t.bounds.extent())) {}
+};
+
+/// Lanes of `met` from `low` up to, not with, `high`.
+HWY_INLINE Lanes met_within(const SegmentHits& hits, float low, float high) {
+    const FloatTag d;
+    return hn::And(hits.met, hn::And(hn::Ge(hits.t, hn::Set(d, low)), hn::Lt(hits.t, hn::Set(d, high))));
+}
+HWY_INLINE uint32_t identity(const float* block, size_t lane) {
+    return std::bit_cast<uint32_t>(block[segment_row::id * kLanes + lane]);
+}
+HWY_INLINE float offset_in_radii(float side, float radius) {
+    return radius > 0 ? std::clamp(side / radius, -1.0f, 1.0f) : 0.0f;
+}
+
+/// Hits of some lanes as arrays.
+struct HitArrays {
+    HWY_ALIGN float t[kLanes], u[kLanes], side[kLanes], radius[kLanes];
+
+    explicit HitArrays(const SegmentHits& hits) {
+        const FloatTag d;
+        hn::Store(hits.t, d, t);
+        hn::Store(hits.u, d, u);
+        hn::Store(hits.side, d, side);
+        hn::Store(hits.radius, d, radius);
+    }
+};
+
+/// Round ends whatever the tree's, so that no joint shows a crack. A hit is taken wherever on the ray it lies: the
+/// leaf that holds it is asked later, if at all, and says the same up to rounding.
+template <bool kVarying>
+struct NearestSegment {
+    const SegmentScene& scene;
+    const LocalRay& ray;
+    float t = ray.length;
+    uint32_t id = kNone;
+    float u = 0, side = 0, radius = 0;
+
+    HWY_INLINE bool leaf(const KdNode& node, float t_in, float t_out) {
+        const auto on_hits = [this](const float* block, size_t lane, const SegmentHits& hits) {
+            const FloatTag d;
+            const Lanes candidates =
+                hn::And(hits.met, hn::And(hn::Ge(hits.t, hn::Zero(d)), hn::Le(hits.t, hn::Set(d, t))));
+            uint32_t bits = bits_of(candidates);
+            if (bits == 0) return false;
+            const HitArrays at(hits);
+            for (; bits != 0; bits &= bits - 1) {
+                const uint32_t k = uint32_t(std::countr_zero(bits));
+                const uint32_t other = identity(block, lane + k);
+                const bool nearer = at.t[k] < t || (at.t[k] == t && id != kNone && other < id);
+                if (!nearer) continue;
+                t = at.t[k];
+                id = other;
+                u = at.u[k];
+                side = at.side[k];
+                radius = at.radius[k];
+            }
+            return false;
+        };
+        const LeafView view(ray, t_in, t_out, scene.longest);
+        meet_segments<Ends::round, kVarying>(scene.tree, ray, node, view, on_hits);
+        return t < t_out;
+    }
+};
+
+/// A crossing counts in the leaf whose interval holds its t, so each counts once.
+template <Ends kEnds, bool kVarying>
+struct CountCrossings {
+    const SegmentScene& scene;
+    const LocalRay& ray;
+    uint32_t limit;
+    uint32_t count = 0;
+
+    HWY_INLINE bool leaf(const KdNode& node, float t_in, float t_out) {
+        const auto on_hits = [&](const float*, size_t, const SegmentHits& hits) {
+            count += uint32_t(hn::CountTrue(FloatTag(), met_within(hits, t_in, t_out)));
+            return count >= limit;
+        };
+        return meet_segments<kEnds, kVarying>(scene.tree, ray, node, LeafView(ray, t_in, t_out, scene.longest),
+                                              on_hits);
+    }
+};
+
+template <Ends kEnds, bool kVarying>
+struct SumDepths {
+    const SegmentScene& scene;
+    const LocalRay& ray;
+    const Attenuation& attenuation;
+    double limit;
+    glm::dvec3 depth{0};
+
+    HWY_INLINE float abs_sin_theta(const float* block, size_t lane) const {
+        const float* axis = block + segment_row::dx * kLanes + lane;
+        const Vec3 v(axis[0], axis[kLanes], axis[2 * kLanes]);
+        const Vec3 d(ray.direction[0], ray.direction[1], ray.direction[2]);
+        const float product = ray.squared * dot(v, v);
+        return product > 0 ? std::min(std::abs(dot(d, v)) / std::sqrt(product), 1.0f) : 0.0f;
+    }
+    HWY_INLINE bool leaf(const KdNode& node, float t_in, float t_out) {
+        const auto on_hits = [&](const float* block, size_t lane, const SegmentHits& hits) {
+            for (uint32_t bits = bits_of(met_within(hits, t_in, t_out)); bits != 0; bits &= bits - 1) {
+                const size_t k = lane + uint32_t(std::countr_zero(bits));
+                depth += glm::dvec3(attenuation.depth(identity(block, k), abs_sin_theta(block, k)));
+                if (std::min({depth.x, depth.y, depth.z}) > limit) return true;
+            }
+            return false;
+        };
+        return meet_segments<kEnds, kVarying>(scene.tree, ray, node, LeafView(ray, t_in, t_out, scene.longest),
+                                              on_hits);
+    }
+};
+
+struct Crossing {
+    float t, u, h;
+    uint32_t id;
+
+    bool operator<(const Crossing& other) const { return t < other.t || (t == other.t && id < other.id); }
+};
+
+template <Ends kEnds, bool kVarying>
+struct CollectCrossings {
+    const SegmentScene& scene;
+    const LocalRay& ray;
+    std::vector<Crossing>& found;
+
+    HWY_INLINE bool leaf(const KdNode& node, float t_in, float t_out) {
+        const auto on_hits = [&](const float* block, size_t lane, const SegmentHits& hits) {
+            uint32_t bits = bits_of(met_within(hits, t_in, t_out));
+            if (bits == 0) return false;
+            const HitArrays at(hits);
+            for (; bits != 0; bits &= bits - 1) {
+                const uint32_t k = uint32_t(std::countr_zero(bits));
+                found.push_back(
+                    {at.t[k], at.u[k], offset_in_radii(at.side[k], at.radius[k]), identity(block, lane + k)});
+            }
+            return false;
+        };
+        return meet_segments<kEnds, kVarying>(scene.tree, ray, node, LeafView(ray, t_in, t_out, scene.longest),
+                                              on_hits);
+    }
+};
+
+/// Calls run with the tree's ends and radii as template arguments.
+template <class Run>
+HWY_INLINE void with_shape(const KdTree& tree, const Run& run) {
+    const bool varying = tree.leaves.rows == segment_row::kVaryingRadius;
+    if (tree.open_ends && varying) return run.template operator()<Ends::open, true>();
+    if (tree.open_ends) return run.template operator()<Ends::open, false>();
+    if (varying) return run.template operator()<Ends::round, true>();
+    run.template operator()<Ends::round, false>();
+}
+
+template <bool kVarying>
+void nearest_segment_of_shape(const KdTree& tree, const RayBatch& rays, const NearestHits& out) {
+    const SegmentScene scene(tree);
+    const auto trace = [&](size_t i, const LocalRay& ray) {
+        NearestSegment<kVarying> nearest{scene, ray};
+        traverse(tree, ray, nearest);
+        if (nearest.id == kNone) return store_miss(out, i);
+        store_hit(out, i, ray.caller_t(nearest.t), nearest.id, nearest.u,
+                  offset_in_radii(nearest.side, nearest.radius));
+    };
+    for_each_ray(tree, rays, trace, [&](size_t i) { store_miss(out, i); });
+}
+
+void nearest_segment(const KdTree& tree, const RayBatch& rays, const NearestHits& out) {
+    if (tree.leaves.rows == segment_row::kVaryingRadius) return nearest_segment_of_shape<true>(tree, rays, out);
+    nearest_segment_of_shape<false>(tree, rays, out);
+}
+
+void count_crossings(const KdTree& tree, const RayBatch& rays, uint32_t limit, std::span<uint32_t> counts) {
+    const SegmentScene scene(tree);
+    with_shape(tree, [&]<Ends kEnds, bool kVarying>() {
+        const auto trace = [&](size_t i, const LocalRay& ray) {
+            CountCrossings<kEnds, kVarying> counter{scene, ray, limit};
+            traverse(tree, ray, counter);
+            counts[i] = std::min(counter.count, limit);
+        };
+        for_each_ray(tree, rays, trace, [&](size_t i) { counts[i] = 0; });
+    });
+}
+
+void transmittance(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, float cutoff,
+                   std::span<Rgb> out) {
+    const SegmentScene scene(tree);
+    const double limit = -std::log(double(cutoff));
+    with_shape(tree, [&]<Ends kEnds, bool kVarying>() {
+        const auto trace = [&](size_t i, const LocalRay& ray) {
+            SumDepths<kEnds, kVarying> sum{scene, ray, attenuation, limit};
+            traverse(tree, ray, sum);
+            out[i] = Rgb(std::exp(-sum.depth.x), std::exp(-sum.depth.y), std::exp(-sum.depth.z));
+        };
+        for_each_ray(tree, rays, trace, [&](size_t i) { out[i] = Rgb(1); });
+    });
+}
+
+void crossings(const KdTree& tree, const RayBatch& rays, Crossings& out) {
+    const SegmentScene scene(tree);
+    std::vector<Crossing> found;
+    const auto append = [&](const LocalRay& ray) {
+        std::sort(found.begin(), found.end());
+        for (const Crossing& c : found) {
+            out.t.push_back(ray.caller_t(c.t));
+            out.u.push_back(c.u);
+            out.h.push_back(c.h);
+            out.id.push_back(c.id);
+        }
+        out.first.push_back(out.t.size());
+    };
+    with_shape(tree, [&]<Ends kEnds, bool kVarying>() {
+        const auto trace = [&](size_t, const LocalRay& ray) {
+            found.clear();
+            CollectCrossings<kEnds, kVarying> collector{scene, ray, found};
+            traverse(tree, ray, collector);
+            append(ray);
+        };
+        for_each_ray(tree, rays, trace, [&](size_t) { out.first.push_back(out.t.size()); });
+    });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tress
+HWY_AFTER_NAMESPACE();
+
+#endif
