@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // a_k(theta): what a crossed fiber lets through under the straight-through model, kept as optical depth
-// tau = -log a over |sin theta|. Depths add along a ray, so no order of crossings changes what they mean.
+// tau = -log a over the inclination. Depths add along a ray, so no order of crossings changes what they mean.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,53 @@ namespace tress {
 /// Largest depth kept a crossing: exp(-50) is nothing, and sums stay finite.
 inline constexpr float kOpaqueDepth = 50;
 
-/// Optical depth of a fiber of one absorption, over |sin theta| in [0, 1], linear between rows.
+/// Where a number falls between the entries of a table: entry `first`, and how far on to the next.
+struct TablePlace {
+    int first;
+    float fraction;
+};
+
+/// `position` in [0, 1] among `entries`.
+inline TablePlace table_place(float position, int entries) {
+    const float scaled = position * float(entries - 1);
+    const int first = glm::min(int(scaled), entries - 2);
+    return {first, scaled - float(first)};
+}
+
+/// Rows are even in cos(theta): depth is smooth in it, while in sin(theta) it rises without bound near grazing.
+inline TablePlace row_place(float abs_sin_theta, int rows) {
+    return table_place(safe_sqrt(1 - abs_sin_theta * abs_sin_theta), rows);
+}
+
+/// Optical depth of a fiber of one absorption over its inclination, linear between rows.
 struct AttenuationTable {
     static constexpr int kRows = 256;
-    std::vector<Rgb> depth;  // kRows
+    std::vector<Rgb> depth;  // kRows; row 0 is grazing
 
-    Rgb at(float abs_sin_theta) const;
+    Rgb at(float abs_sin_theta) const {
+        const TablePlace row = row_place(abs_sin_theta, kRows);
+        const Rgb* entry = &depth[size_t(row.first)];
+        return entry[0] + row.fraction * (entry[1] - entry[0]);
+    }
 };
 AttenuationTable make_attenuation_table(const Fiber& fiber);
 
-/// Optical depth of one channel over |sin theta| and absorption, bilinear: for strands with colours of their own.
+/// Optical depth of one channel over inclination and absorption, bilinear: for strands with colours of their own.
 struct AbsorptionTable {
     static constexpr int kRows = 128, kColumns = 128;
-    std::vector<float> depth;  // kRows x kColumns; column c is the absorption absorption_of(c)
+    std::vector<float> depth;  // kRows x kColumns; row 0 is grazing; column c is the absorption absorption_of(c)
 
-    float at(float abs_sin_theta, float sigma_a) const;
+    /// Columns are even in sigma_a / (1 + sigma_a); the last is infinite.
+    static float absorption_of(int column);
+
+    float at(float abs_sin_theta, float sigma_a) const {
+        const TablePlace row = row_place(abs_sin_theta, kRows);
+        const TablePlace column = table_place(1 - 1 / (1 + sigma_a), kColumns);
+        const float* entry = &depth[size_t(row.first * kColumns + column.first)];
+        const float low = entry[0] + column.fraction * (entry[1] - entry[0]);
+        const float high = entry[kColumns] + column.fraction * (entry[kColumns + 1] - entry[kColumns]);
+        return low + row.fraction * (high - low);
+    }
 };
 AbsorptionTable make_absorption_table(const Fiber& fiber);
 

@@ -2,9 +2,14 @@
 // How one fiber scatters light: f(wi, wo; u, h), split into f = f_F + f_R, where f_F is the TT lobe (straight through)
 // and f_R all the rest. Directions are unit and local to the fiber: x along the tangent u; theta is measured from the
 // normal plane (sin theta = x); wo points to the eye, wi to the light. h in [-1, 1] is the signed offset of the hit
-// from the axis in radii, seen from wo: the hit lies at h * normalize(cross(u, wo)) from the axis.
+// from the axis in radii, seen from wo: the hit lies at h * normalize(cross(u, wo)) from the axis. The tangent runs
+// from root to tip: only the tilt of the scales tells the two apart.
 #pragma once
 
+#include <span>
+
+#include "core/azimuthal.h"
+#include "core/longitudinal.h"
 #include "core/math.h"
 
 namespace tress {
@@ -14,11 +19,11 @@ enum class FiberModel { chiang, marschner };
 /// What a scene says of a fiber.
 struct FiberParameters {
     FiberModel model = FiberModel::chiang;
-    Rgb sigma_a{0};           // absorption, 1 per fiber radius
+    Rgb sigma_a{0};           // absorption, 1 per fiber radius; may be infinite
     float beta_m = 0.3f;      // longitudinal roughness, [0, 1]
     float beta_n = 0.3f;      // azimuthal roughness, [0, 1]
-    float alpha_degrees = 2;  // tilt of the cuticle scales
-    float eta = 1.55f;        // refractive index, relative to air; at least 1
+    float alpha_degrees = 2;  // tilt of the cuticle scales, [-45, 45]
+    float eta = 1.55f;        // refractive index, relative to air, [1, 10]
 };
 
 /// sigma_a of a mixture of melanins (d'Eon et al. 2011, sec. 6.1, as used by Chiang et al. 2016; concentrations >= 0).
@@ -32,12 +37,13 @@ struct Fiber {
     static constexpr int kTransmitted = 1;
 
     FiberParameters parameters;
-    float variance[kLobes];          // longitudinal, of lobe p
-    float azimuthal_scale;           // s of the logistic (chiang)
-    float sin_tilt[3], cos_tilt[3];  // of 2^k alpha (chiang), of lobe p's shift (marschner)
+    LongitudinalLobe longitudinal[kLobes];
+    float shift[kLobes];  // of theta_i + theta_o at the peak of a lobe, radians
+    SinCos tilt[kLobes];  // sine and cosine of `shift`
+    AzimuthalLobe azimuthal;
 };
 
-/// Throws InputError, naming the parameter, where one is out of range or not finite.
+/// Throws InputError, naming the parameter, where one is out of its range or not a number.
 Fiber make_fiber(const FiberParameters& parameters);
 
 /// Both parts of f * |cos theta_i|. The cosine is included because f alone is infinite at grazing wi.
@@ -48,6 +54,9 @@ struct FiberScattering {
 
 /// `sigma_a` overrides the fiber's own absorption (strands with colours of their own).
 FiberScattering evaluate(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h);
+/// The same for many wi, at the cost of one preparation. `value` has the size of `wi`.
+void evaluate(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, std::span<const Vec3> wi,
+              std::span<FiberScattering> value);
 
 struct FiberSample {
     Vec3 wi;
