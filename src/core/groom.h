@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Procedural hair on a head (scalp_head.h), in cm: clumped, layered, with flyaways; the same for the same seed.
+// Procedural hair on a head (head.h), in cm: clumped, layered, with flyaways; the same for the same seed.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "core/head.h"
+
+#include "core/isosurface.h"
+#include "core/scalar_grid.h"
+
+namespace tress {
+namespace {
+
+float smooth_union(float a, float b, float blend) {
+    const float h = glm::max(blend - std::abs(a - b), 0.0f) / blend;
+    return glm::min(a, b) - 0.25f * blend * h * h;
+}
+
+float smooth_intersection(float a, float b, float blend) { return -smooth_union(-a, -b, blend); }
+float smooth_difference(float a, float b, float blend) { return smooth_intersection(a, -b, blend); }
+
+/// First-order distance to an ellipsoid: exact on it, and for spheres.
+float ellipsoid(const Vec3& p, const Vec3& center, const Vec3& radii) {
+    const Vec3 scaled = (p - center) / radii;
+    const float k0 = length(scaled), k1 = length(scaled / radii);
+    if (k1 < 1e-6f) return -min_component(radii);
+    return k0 * (k0 - 1) / k1;
+}
+
+/// Capsule whose radius runs linearly from r0 at a to r1 at b.
+float cone(const Vec3& p, const Vec3& a, const Vec3& b, float r0, float r1) {
+    const Vec3 axis = b - a;
+    const float t = glm::clamp(dot(p - a, axis) / dot(axis, axis), 0.0f, 1.0f);
+    return distance(p, a + t * axis) - (r0 + t * (r1 - r0));
+}
+
+/// |x|, rounded at 0 so that what is mirrored joins without a crease.
+Vec3 mirrored(const Vec3& p) { return {std::sqrt(p.x * p.x + 0.16f), p.y, p.z}; }
+
+float skull(const Vec3& p) {
+    float d = ellipsoid(p, {0, 3.1f, -1.3f}, {7.5f, 7.9f, 9.3f});
+    d = smooth_union(d, ellipsoid(p, {0, -2.6f, 2.2f}, {6.2f, 7.4f, 6.0f}), 2.5f);
+    d = smooth_union(d, cone(p, {5.0f, -4.6f, 0.0f}, {1.2f, -9.3f, 5.6f}, 1.5f, 1.5f), 2.6f);
+    return smooth_union(d, ellipsoid(p, {0, -9.2f, 6.9f}, {1.9f, 1.7f, 1.5f}), 1.8f);
+}
+
+float add_features(float d, const Vec3& p) {
+    d = smooth_union(d, cone(p, {1.2f, 2.3f, 7.3f}, {4.6f, 2.5f, 5.3f}, 0.75f, 0.6f), 1.6f);  // brow
+    d = smooth_union(d, ellipsoid(p, {4.0f, -2.5f, 5.4f}, {1.9f, 1.5f, 1.8f}), 2.0f);         // cheekbone
+    d = smooth_difference(d, ellipsoid(p, {3.0f, 0.4f, 8.6f}, {1.9f, 1.1f, 1.7f}), 1.3f);     // eye socket
+    d = smooth_union(d, ellipsoid(p, {3.0f, 0.2f, 6.0f}, {1.5f, 1.25f, 1.25f}), 0.35f);       // closed lid
+    d = smooth_union(d, cone(p, {0, 1.4f, 7.7f}, {0, -3.1f, 9.9f}, 0.5f, 0.72f), 0.9f);       // nose
+    d = smooth_union(d, ellipsoid(p, {0.95f, -3.3f, 8.9f}, {0.65f, 0.55f, 0.8f}), 0.6f);      // nostril
+    d = smooth_union(d, ellipsoid(p, {0, -6.2f, 6.5f}, {2.9f, 2.0f, 2.0f}), 1.2f);            // mouth
+    d = smooth_union(d, ellipsoid(p, {0.45f, -5.75f, 8.3f}, {1.5f, 0.42f, 0.5f}), 0.5f);      // upper lip
+    d = smooth_union(d, ellipsoid(p, {0, -6.75f, 8.2f}, {1.6f, 0.48f, 0.6f}), 0.35f);         // lower lip
+    return d;
+}
+
+/// Neck, shoulders and chest, cut flat below.
+float torso(const Vec3& p) {
+    float d = cone(p, {0, -4.0f, -2.8f}, {0, -18.0f, -4.2f}, 5.0f, 5.4f);
+    d = smooth_union(d, cone(p, {2.5f, -18.2f, -4.8f}, {16.0f, -20.6f, -4.2f}, 3.4f, 4.0f), 4.0f);
+    d = smooth_union(d, ellipsoid(p, {0, -27.0f, -3.2f}, {17.5f, 10.0f, 8.4f}), 4.0f);
+    return smooth_intersection(d, -30.0f - p.y, 1.0f);
+}
+
+constexpr float kMeshCell = 0.36f;    // cm: 50 thousand triangles, and lids and lips keep their shape
+constexpr float kDifference = 0.02f;  // cm, of the central differences: well below the smallest feature
+constexpr int kNewtonSteps = 3;
+
+}  // namespace
+
+float ear_distance(const Vec3& p) {
+    const Vec3 q = mirrored(p);
+    // Turned so that x leaves the head: the ear leans back at the top and stands off behind.
+    const Vec3 local = q - Vec3(7.5f, -0.9f, -1.2f);
+    const Vec3 ear(0.92f * local.x + 0.39f * local.z, 0.98f * local.y - 0.2f * local.z,
+                   0.92f * (local.z + 0.2f * local.y) - 0.39f * local.x);
+    const float shell = ellipsoid(ear, {0, 0, 0}, {0.62f, 2.9f, 1.75f});
+    return smooth_difference(shell, ellipsoid(ear, {0.75f, 0.1f, 0.1f}, {0.6f, 2.0f, 1.05f}), 0.4f);
+}
+
+float head_distance(const Vec3& p) {
+    const Vec3 q = mirrored(p);
+    const float head = smooth_union(add_features(skull(q), q), ear_distance(p), 0.5f);
+    return smooth_union(head, torso(q), 2.2f);
+}
+
+Vec3 head_normal(const Vec3& p) {
+    const Vec3 x(kDifference, 0, 0), y(0, kDifference, 0), z(0, 0, kDifference);
+    return normalize(Vec3(head_distance(p + x) - head_distance(p - x), head_distance(p + y) - head_distance(p - y),
+                          head_distance(p + z) - head_distance(p - z)));
+}
+
+Vec3 on_head(const Vec3& p) {
+    Vec3 q = p;
+    for (int step = 0; step < kNewtonSteps; ++step) q -= head_distance(q) * head_normal(q);
+    return q;
+}
+
+Bounds head_bounds() { return {{-22.0f, -31.5f, -15.0f}, {22.0f, 12.5f, 12.5f}}; }
+
+TriangleMesh make_head() {
+    TriangleMesh mesh = isosurface(sample_grid(head_distance, head_bounds(), kMeshCell));
+    mesh.normal.resize(mesh.vertices());
+    tbb::parallel_for(size_t(0), mesh.vertices(), [&](size_t v) {
+        const Vec3 p = on_head(mesh.vertex(v));
+        mesh.x[v] = p.x;
+        mesh.y[v] = p.y;
+        mesh.z[v] = p.z;
+        mesh.normal[v] = head_normal(p);
+    });
+    return mesh;
+}
+
+}  // namespace tress
