@@ -30,6 +30,11 @@ EnvironmentSampler make_environment_sampler(Image image, const Rgb& factor, doub
 /// Constant where the light has no image.
 EnvironmentSampler make_environment_sampler(const EnvironmentLight& light);
 
+inline size_t bytes(const EnvironmentSampler& e) {
+    return e.image.pixel.capacity() * sizeof(Rgb) +
+           (e.row_cdf.capacity() + e.cell_cdf.capacity() + e.cos_edge.capacity()) * sizeof(double);
+}
+
 /// Radiance that arrives from the unit vector `direction`.
 Rgb radiance(const EnvironmentSampler& environment, const Vec3& direction);
 

@@ -84,7 +84,7 @@ std::vector<OptionField> option_fields(Options& o) {
         {"accel.depth_base", &a.depth_base, 0, 60, "depth limit: base + factor log2(n), at most 60"},
         {"accel.depth_factor", &a.depth_factor, 0, 10, "depth limit: base + factor log2(n), at most 60"},
         {"accel.failed_splits", &a.failed_splits, 0, 60, "splits dearer than a leaf allowed on a path"},
-        {"film.filter_radius", &f.filter_radius, 0.5, 8, "pixels; 0.5: a box of one pixel"},
+        {"film.filter_radius", &f.filter_radius, 0.5, 8, "pixels, of the Blackman-Harris filter"},
         {"film.exposure", &f.exposure, -40, 40, "stops, of the PNG only"},
     };
 }

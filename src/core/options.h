@@ -34,7 +34,7 @@ struct AccelOptions {
 };
 
 struct FilmOptions {
-    float filter_radius = 1.5f;  // pixels; Blackman-Harris, by importance sampling. 0.5: a box of one pixel
+    float filter_radius = 1.5f;  // pixels; Blackman-Harris, sampled by importance
     float exposure = 0;          // stops, of the PNG only
 };
 

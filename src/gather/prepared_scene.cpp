@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "gather/prepared_scene.h"
+
+#include <chrono>
+
+#include "accel/build.h"
+
+namespace tress {
+namespace {
+
+/// Runs `build`, which returns the bytes it keeps, and books its cost.
+template <class Build>
+void timed(std::vector<StageCost>& costs, const char* name, const Build& build) {
+    const auto start = std::chrono::steady_clock::now();
+    const size_t bytes = build();
+    costs.push_back({name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), bytes});
+}
+
+template <class T>
+size_t vector_bytes(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+size_t make_attenuation(const Scene& scene, const Plan& plan, Attenuation& to) {
+    size_t bytes = 0;
+    for (const Fiber& fiber : scene.fibers) {
+        if (plan.hair_colors) {
+            to.varying.push_back(make_absorption_table(fiber));
+            bytes += vector_bytes(to.varying.back().depth);
+        } else {
+            to.table.push_back(make_attenuation_table(fiber));
+            bytes += vector_bytes(to.table.back().depth);
+        }
+    }
+    if (scene.fibers.size() > 1)
+        for (uint16_t fiber = 0; fiber < scene.fibers.size(); ++fiber)
+            to.fiber_of_segment.insert(to.fiber_of_segment.end(),
+                                       scene.fiber_segment[fiber + 1u] - scene.fiber_segment[fiber], fiber);
+    return bytes + vector_bytes(to.fiber_of_segment);
+}
+
+size_t make_hair_colors(const Scene& scene, const SegmentView& segments, Attenuation& to) {
+    to.sigma_a.reserve(segments.size());
+    for (const uint32_t point : segments.point) to.sigma_a.push_back(scene.sigma_a[point]);
+    return vector_bytes(to.sigma_a) + vector_bytes(scene.sigma_a);
+}
+
+}  // namespace
+
+PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& options) {
+    PreparedScene p;
+    p.segments = view(scene.hair, scene.segments);
+    p.environment.resize(scene.lights.size());
+    if (plan.hair_tree)
+        timed(p.costs, stage::kHairTree, [&] {
+            p.hair = build_segment_tree(p.segments, options.accel);
+            return bytes(p.hair);
+        });
+    if (plan.mesh_tree)
+        timed(p.costs, stage::kMeshTree, [&] {
+            p.mesh = build_triangle_tree(scene.mesh, options.accel);
+            return bytes(p.mesh);
+        });
+    if (plan.attenuation)
+        timed(p.costs, stage::kAttenuation, [&] { return make_attenuation(scene, plan, p.attenuation); });
+    if (plan.hair_colors)
+        timed(p.costs, stage::kHairColors, [&] { return make_hair_colors(scene, p.segments, p.attenuation); });
+    for (const uint32_t light : plan.type2_lights)
+        timed(p.costs, stage::kEnvironment, [&] {
+            const EnvironmentLight& e = std::get<EnvironmentLight>(scene.lights[light]);
+            p.environment[light] = make_environment_sampler(e);
+            return bytes(*p.environment[light]);
+        });
+    return p;
+}
+
+}  // namespace tress

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What is built once for a scene before its rays are traced: just what the plan lists.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "accel/kd_tree.h"
+#include "core/attenuation.h"
+#include "core/environment.h"
+#include "core/plan.h"
+#include "core/scene.h"
+#include "core/stage_cost.h"
+
+namespace tress {
+
+struct PreparedScene {
+    SegmentView segments;                                        // of the scene's hair, which must outlive this
+    KdTree hair, mesh;                                           // empty where left out
+    Attenuation attenuation;                                     // empty where left out
+    std::vector<std::optional<EnvironmentSampler>> environment;  // one a light; none where not an environment
+    std::vector<StageCost> costs;
+};
+
+PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& options);
+
+}  // namespace tress

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "gather/render.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "gather/tile.h"
+
+namespace tress {
+namespace {
+
+constexpr int kTileSize = 32;  // pixels a side: 1024 rays a batch
+
+int tiles_across(int pixels) { return (pixels + kTileSize - 1) / kTileSize; }
+
+}  // namespace
+
+RenderState make_state(const Scene& scene, const Plan& plan) {
+    return {make_film(scene.camera.width, scene.camera.height, plan), 0, 0, std::make_unique<StageClocks>()};
+}
+
+void advance(RenderState& state, const Scene& scene, const PreparedScene& prepared, const Plan& plan,
+             const Options& options, int samples) {
+    const auto start = std::chrono::steady_clock::now();
+    const TileContext context{scene, prepared, plan, options, camera_frame(scene.camera)};
+    const int across = tiles_across(state.film.width), tiles = across * tiles_across(state.film.height);
+    tbb::enumerable_thread_specific<TileScratch> scratch;
+    tbb::parallel_for(
+        tbb::blocked_range<int>(0, tiles, 1),
+        [&](const tbb::blocked_range<int>& range) {
+            for (int t = range.begin(); t < range.end(); ++t) {
+                const int x = t % across * kTileSize, y = t / across * kTileSize;
+                const Tile tile{x, y, std::min(x + kTileSize, state.film.width),
+                                std::min(y + kTileSize, state.film.height)};
+                for (int s = state.samples; s < state.samples + samples; ++s)
+                    render_tile(context, tile, uint32_t(s), scratch.local(), *state.clocks, state.film);
+            }
+        },
+        tbb::simple_partitioner());
+    state.samples += samples;
+    state.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<StageCost> loop_costs(const RenderState& state, const Plan& plan) {
+    std::vector<StageCost> costs{{stage::kCameraRays, 0, bytes(state.film)}};
+    std::vector<LoopStage> stages{LoopStage::camera_rays};
+    const auto list = [&](const char* name, LoopStage stage) {
+        costs.push_back({name, 0, 0});
+        stages.push_back(stage);
+    };
+    if (!plan.type1_lights.empty()) list(stage::kType1, LoopStage::type1);
+    if (!plan.type2_lights.empty()) list(stage::kType2, LoopStage::type2);
+
+    double all = 0;
+    for (const auto& nanoseconds : state.clocks->nanoseconds) all += double(nanoseconds);
+    for (size_t i = 0; i < costs.size() && all > 0; ++i)
+        costs[i].seconds = state.seconds * double(state.clocks->nanoseconds[size_t(stages[i])]) / all;
+    return costs;
+}
+
+}  // namespace tress

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A point that the eye sees, on a fiber or on a polygon, with all that shading it needs.
+#pragma once
+
+#include "core/fiber.h"
+#include "core/frame.h"
+#include "gather/prepared_scene.h"
+#include "gather/ray_buffer.h"
+
+namespace tress {
+
+inline constexpr uint32_t kPolygon = 0xffffffffu;
+
+struct ShadingPoint {
+    Vec3 position;
+    Frame frame;            // fiber: x along the tangent; polygon: z along the shading normal, on the eye's side
+    Vec3 wo;                // to the eye, in the frame
+    Vec3 geometric_normal;  // polygon: of the triangle, on the eye's side
+    Excluded excluded;      // what rays from here must not meet
+    uint32_t fiber = kPolygon;
+    float h = 0;      // fiber: offset of the hit, see fiber.h
+    Rgb color{0};     // fiber: sigma_a; polygon: albedo
+    float depth = 0;  // along the camera ray
+};
+
+/// A nearest hit, as queries return it.
+struct Hit {
+    float t;
+    uint32_t id;
+    float u, h;
+};
+
+ShadingPoint fiber_point(const Scene& scene, const PreparedScene& prepared, const Vec3& direction, const Hit& hit);
+ShadingPoint polygon_point(const Scene& scene, const Vec3& direction, const Hit& hit);
+
+/// f |cos theta_i| towards the unit direction `wi` (world).
+Rgb scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi);
+
+/// For the albedo layer: of a polygon its own, of a fiber the share that goes straight through it at normal incidence.
+Rgb layer_albedo(const PreparedScene& prepared, const ShadingPoint& point);
+
+}  // namespace tress

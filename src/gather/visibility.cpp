@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "gather/visibility.h"
+
+#include <algorithm>
+
+namespace tress {
+
+void VisibilityQuery::operator()(const PreparedScene& prepared, const RayBuffer& rays, const Options& options,
+                                 std::span<Rgb> visibility) {
+    std::fill(visibility.begin(), visibility.end(), Rgb(1));
+    occluded_.assign(rays.size(), 0);
+    if (!prepared.mesh.empty()) occluded_triangle(prepared.mesh, rays.for_mesh(), occluded_, options.isa);
+
+    open_.clear();
+    open_rays_.clear();
+    for (uint32_t ray = 0; ray < rays.size(); ++ray) {
+        if (occluded_[ray]) {
+            visibility[ray] = Rgb(0);
+        } else if (!prepared.hair.empty()) {
+            open_.push_back(ray);
+            open_rays_.add_from(rays, ray);
+        }
+    }
+    if (open_.empty()) return;
+    transmittance_.resize(open_.size());
+    transmittance(prepared.hair, open_rays_.for_hair(), prepared.attenuation, options.cutoff, transmittance_,
+                  options.isa);
+    for (size_t i = 0; i < open_.size(); ++i) visibility[open_[i]] = transmittance_[i];
+}
+
+}  // namespace tress

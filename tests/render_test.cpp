@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+#include <tbb/global_control.h>
+
+#include "accel/queries.h"
+#include "tests/small_scenes.h"
+
+using namespace tress;
+using namespace tress::test;
+
+namespace {
+
+EnvironmentLight white_sky() { return {}; }
+
+bool all_finite(const LayeredImage& picture) {
+    for (const Layer& layer : picture.layers)
+        for (const float v : layer.data)
+            if (!std::isfinite(v)) return false;
+    return true;
+}
+
+/// 40 fibers, a square behind them, every kind of light.
+Scene busy_scene(int size) {
+    std::vector<Vec2> xz;
+    for (int i = 0; i < 40; ++i) xz.push_back({0.05f * float(i) - 1, 1 + 0.3f * float(i % 5)});
+    FiberParameters brown;
+    brown.sigma_a = sigma_a_from_melanin(0.8f, 0.1f);
+    const std::vector<Light> lights = {PointLight{{1, 2, 4}, Rgb(30)}, SpotLight{{-2, 1, 5}, {0, 0, 0}, 40, Rgb(40)},
+                                       DistantLight{{0.2, -0.5, -1}, Rgb(0.5f)},
+                                       QuadLight{{-1, 2, 4}, {{2, 0, 0}, {0, 1, -1}}, Rgb(3)}, white_sky()};
+    return assemble({upright_fibers(xz, 1.5f, 0.02f, make_fiber(brown))}, {square(3, {0.7f, 0.5f, 0.3f})}, lights,
+                    camera_on_z(8, 30, size));
+}
+
+}  // namespace
+
+TEST_CASE("a lone white fiber under a white sky cannot be seen: its white furnace is 1") {
+    Options options;
+    options.spp = 1024;
+    const Scene scene =
+        assemble({upright_fibers({{0, 0}}, 10, 1, white_fiber())}, {}, {white_sky()}, camera_on_z(30, 8, 16));
+    const Rendered r = render(scene, options);
+    // Directions are drawn by the sky, so the estimate's spread is that of the lobes: take what the film measured.
+    double sum = 0, variance = 0;
+    const Layer &beauty = *r.layer(""), &spread = *r.layer("variance");
+    const size_t pixels = beauty.data.size() / 4;
+    for (size_t i = 0; i < pixels; ++i) {
+        sum += double(beauty.data[4 * i]);
+        variance += double(spread.data[3 * i]);
+    }
+    const double mean = sum / double(pixels), standard_error = std::sqrt(variance) / double(pixels);
+    CAPTURE(mean);
+    CAPTURE(standard_error);
+    CHECK(standard_error < 0.01);
+    CHECK(std::abs(mean - 1) < 4 * standard_error + 1e-3);
+}
+
+TEST_CASE("an open square under a uniform sky sends back albedo times the sky") {
+    Options options;
+    options.spp = 64;
+    const Scene scene = assemble({}, {square(1, Rgb(0.6f, 0.4f, 0.2f))}, {white_sky()}, camera_on_z(10, 5, 8));
+    const Rendered r = render(scene, options);
+    const Layer& type2 = *r.layer("type2");
+    // 64 pixels x 64 samples of a cosine by uniform directions on the sphere: sd of one is sqrt(4/3 - 1/... ) < 1.3.
+    const double bound = 4 * 1.3 / std::sqrt(64.0 * 64.0);
+    for (int channel = 0; channel < 3; ++channel) {
+        double sum = 0;
+        for (size_t i = 0; i < 64; ++i) sum += double(type2.data[3 * i + size_t(channel)]);
+        const double albedo = double(Rgb(0.6f, 0.4f, 0.2f)[channel]);
+        CHECK(std::abs(sum / 64 / albedo - 1) < bound);
+    }
+}
+
+TEST_CASE("a point light on a square gives albedo / pi cos / d^2") {
+    Options options;
+    options.spp = 1;
+    options.film.filter_radius = 0.5f;
+    const Scene scene =
+        assemble({}, {square(1, Rgb(0.5f))}, {PointLight{{0, 0, 2}, Rgb(4)}}, camera_on_z(100, 0.001, 1));
+    const Rendered r = render(scene, options);
+    CHECK(r.layer("type1")->data[0] == doctest::Approx(0.5 / 3.14159265 * 4 / 4).epsilon(1e-5));
+}
+
+TEST_CASE("light through a fiber falls off by its attenuation, and only behind it") {
+    // A fiber of radius 0.5 between a square and a far lamp straight ahead: the shadow is one fiber wide.
+    Options options;
+    options.spp = 4096;
+    options.film.filter_radius = 0.5f;
+    FiberParameters parameters;
+    parameters.sigma_a = {0.1f, 0.5f, 2.0f};
+    const Fiber fiber = make_fiber(parameters);
+    Camera camera = camera_on_z(1, 120, 1);
+    camera.from = {0, 0, 0.1};  // between the fiber and the square
+    for (const double x : {0.0, 2.0}) {
+        camera.from.x = camera.to.x = x;
+        camera.fov = 0.01;
+        const Scene scene = assemble({upright_fibers({{0, 5}}, 100, 0.5f, fiber)}, {square(50, Rgb(1))},
+                                     {DistantLight{{0, 0, -1}, Rgb(3.14159265f)}}, camera);
+        const Rendered r = render(scene, options);
+        const Rgb through = exp(-make_attenuation_table(fiber).at(0));
+        CAPTURE(x);
+        for (size_t channel = 0; channel < 3; ++channel)
+            CHECK(double(r.layer("type1")->data[channel]) ==
+                  doctest::Approx(x == 0 ? double(through[int(channel)]) : 1.0).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("the picture is the same bit for bit for any number of threads and any division into passes") {
+    Options options;
+    options.spp = 4;
+    const Scene scene = busy_scene(70);
+    const Rendered one_pass = render(scene, options);
+    for (const size_t threads : {size_t(1), size_t(2), size_t(3)}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        Rendered parts = render(scene, [&] {
+            Options o = options;
+            o.spp = 1;
+            return o;
+        }());
+        for (int pass = 1; pass < 4; ++pass) advance(parts.state, scene, parts.prepared, parts.plan, options, 1);
+        const LayeredImage picture = develop(parts.state.film);
+        CAPTURE(threads);
+        REQUIRE(picture.layers.size() == one_pass.picture.layers.size());
+        for (size_t i = 0; i < picture.layers.size(); ++i)
+            CHECK(picture.layers[i].data == one_pass.picture.layers[i].data);
+    }
+}
+
+TEST_CASE("every instruction set gives the same picture bit for bit") {
+    Options options;
+    options.spp = 2;
+    const Scene scene = busy_scene(48);
+    const Rendered best = render(scene, options);
+    for (const Isa isa : supported_isas()) {
+        options.isa = isa;
+        CAPTURE(isa_name(isa));
+        const Rendered other = render(scene, options);
+        for (size_t i = 0; i < best.picture.layers.size(); ++i)
+            CHECK(other.picture.layers[i].data == best.picture.layers[i].data);
+    }
+}
+
+TEST_CASE("beauty is the sum of the layers where something is hit") {
+    Options options;
+    options.spp = 4;
+    const Rendered r = render(busy_scene(32), options);
+    const Layer &beauty = *r.layer(""), &type1 = *r.layer("type1"), &type2 = *r.layer("type2");
+    for (size_t i = 0; i < 32 * 32; ++i) {
+        if (beauty.data[4 * i + 3] < 1) continue;  // some sky is seen directly
+        for (size_t c = 0; c < 3; ++c) {
+            const float sum = type1.data[3 * i + c] + type2.data[3 * i + c];
+            CHECK(beauty.data[4 * i + c] == doctest::Approx(double(sum)).epsilon(1e-6));
+        }
+    }
+    CHECK(all_finite(r.picture));
+}
+
+TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
+    Options options;
+    options.spp = 1;
+    const auto names = [](const std::vector<StageCost>& costs) {
+        std::vector<std::string> list;
+        for (const StageCost& cost : costs) list.push_back(cost.name);
+        return list;
+    };
+    const Camera camera = camera_on_z(10, 30, 4);
+    SUBCASE("no hair") {
+        const Rendered r = render(assemble({}, {square(1, Rgb(1))}, {PointLight{{0, 0, 3}, Rgb(1)}}, camera), options);
+        CHECK(r.prepared.hair.empty());
+        CHECK(names(r.prepared.costs) == std::vector<std::string>{stage::kMeshTree});
+        CHECK(names(loop_costs(r.state, r.plan)) == std::vector<std::string>{stage::kCameraRays, stage::kType1});
+        CHECK(r.state.film.type2.empty());
+    }
+    SUBCASE("no meshes, no light") {
+        const Rendered r =
+            render(assemble({upright_fibers({{0, 0}}, 1, 0.1f, white_fiber())}, {}, {}, camera), options);
+        CHECK(r.prepared.mesh.empty());
+        CHECK(names(r.prepared.costs) == std::vector<std::string>{stage::kHairTree});
+        CHECK(r.state.film.type1.empty());
+        CHECK(r.prepared.attenuation.table.empty());
+    }
+    SUBCASE("nothing at all, one pixel") {
+        Camera pixel = camera;
+        pixel.width = pixel.height = 1;
+        const Rendered r = render(assemble({}, {}, {}, pixel), options);
+        CHECK(r.prepared.costs.empty());
+        CHECK(r.layer("")->data == std::vector<float>{0, 0, 0, 0});
+    }
+    SUBCASE("types switched off") {
+        options.type1 = Type1Method::off;
+        options.type2 = Type2Method::off;
+        const Rendered r = render(busy_scene(8), options);
+        CHECK(r.prepared.attenuation.table.empty());
+        CHECK(names(loop_costs(r.state, r.plan)) == std::vector<std::string>{stage::kCameraRays});
+    }
+}
+
+TEST_CASE("lights of absurd strength or nearness stay finite") {
+    Options options;
+    options.spp = 2;
+    const Camera camera = camera_on_z(10, 30, 8);
+    const PlacedHair hair = upright_fibers({{0, 1}, {0.2f, 1}}, 1, 0.05f, white_fiber());
+    for (const Light& light : {Light(PointLight{{0, 0, 3}, Rgb(1e30f)}), Light(PointLight{{0, 0, 1e-20}, Rgb(1)}),
+                               Light(PointLight{{0, 0.5, 1}, Rgb(1)}), Light(DistantLight{{0, 0, -1e-300}, Rgb(1)}),
+                               Light(QuadLight{{-1, -1, 1e-9}, {{2, 0, 0}, {0, -2, 0}}, Rgb(1e20f)})}) {
+        const Rendered r = render(assemble({hair}, {square(2, Rgb(1))}, {light}, camera), options);
+        CHECK(all_finite(r.picture));
+    }
+}
+
+TEST_CASE("a bad segment is dropped and the rest of the groom renders as without it") {
+    Options options;
+    options.spp = 4;
+    const Camera camera = camera_on_z(10, 30, 32);
+    PlacedHair good = upright_fibers({{-0.5f, 0}, {0.5f, 0}}, 1, 0.1f, white_fiber());
+    PlacedHair bad = good;
+    bad.strands.add_point({NAN, 0, 0});
+    bad.strands.add_point({0, 0, 0});
+    bad.strands.first.push_back(uint32_t(bad.strands.points()));
+    const std::vector<Light> lights = {PointLight{{0, 0, 5}, Rgb(20)}};
+    const Scene with_bad = assemble({bad}, {}, lights, camera);
+    CHECK(with_bad.segments.dropped == 1);
+    const Rendered a = render(assemble({good}, {}, lights, camera), options), b = render(with_bad, options);
+    CHECK(a.layer("")->data == b.layer("")->data);
+}
