@@ -43,23 +43,29 @@ struct Counts {
     }
 };
 
-void count_faces(std::span<const Reference> references, const Grid& grid, Counts& even, Counts& odd) {
-    const auto count = [&grid](const Reference& r, Counts& counts) {
+/// Bins of the eight faces of each reference, as indices of Counts. In passes of its own over plain arrays, which
+/// compilers turn into vectors.
+void place_faces(std::span<const Reference> references, const Grid& grid, int32_t* place) {
+    for (const Reference& r : references) {
         float face[kFaces];
-        std::memcpy(face, &r.lo.x, 4 * sizeof(float));
+        std::memcpy(face, &r.lo, 4 * sizeof(float));
         std::memcpy(face + 4, &r.lo.z, 4 * sizeof(float));
-        int32_t place[kFaces];
         for (uint32_t k = 0; k < kFaces; ++k)
             place[k] = int32_t((face[k] - grid.base[k]) * grid.scale[k]) * int32_t(kFaces) + int32_t(k);
-        for (uint32_t k : {0, 1, 2, 5, 6, 7}) ++counts.count[size_t(place[k])];
-    };
-    // Two tables by turns: neighbours often fall into the same bin, and an increment waits for the one before.
-    size_t i = 0;
-    for (; i + 1 < references.size(); i += 2) {
-        count(references[i], even);
-        count(references[i + 1], odd);
+        place += kFaces;
     }
-    if (i < references.size()) count(references[i], even);
+}
+
+/// Two tables by turns: neighbours often fall into the same bin, and an increment waits for the one before.
+void count_faces(std::span<const Reference> references, const Grid& grid, Counts& even, Counts& odd) {
+    constexpr size_t kBlock = 32;
+    int32_t place[kBlock * kFaces];
+    for (size_t first = 0; first < references.size(); first += kBlock) {
+        const size_t n = std::min(kBlock, references.size() - first);
+        place_faces(references.subspan(first, n), grid, place);
+        for (size_t i = 0; i < n; ++i)
+            for (uint32_t k : {0, 1, 2, 5, 6, 7}) ++(i % 2 ? odd : even).count[size_t(place[kFaces * i + k])];
+    }
 }
 
 void count_all(std::span<const Reference> references, const Grid& grid, int bins, Counts& total) {
@@ -98,8 +104,7 @@ std::optional<Split> binned_split(std::span<const Reference> references, const B
             const uint32_t* bin = &counts.count[kFaces * size_t(k - 1)];
             left += bin[axis];
             right -= bin[5 + axis];
-            const float s = grid.lo[int(axis)] + float(k) * grid.step[int(axis)];
-            if (cost.cuts(s)) keep_cheaper(best, {axis, s, cost(s, left, right), left, right});
+            keep_cheaper(best, cost, axis, grid.lo[int(axis)] + float(k) * grid.step[int(axis)], left, right);
         }
     }
     return best;

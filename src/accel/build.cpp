@@ -64,7 +64,8 @@ LeafBlocks pack_triangles(const TrianglePrimitives& triangles, KdTopology& topol
 
 KdTree build_segment_tree(const SegmentView& segments, const AccelOptions& options, uint32_t index_limit) {
     if (segments.size() == 0) return {};
-    const DVec3 middle = DBounds{DVec3(bounds(segments).lo), DVec3(bounds(segments).hi)}.center();
+    const Bounds box = bounds(segments);
+    const DVec3 middle = 0.5 * (DVec3(box.lo) + DVec3(box.hi));
     KdTree tree = build_tree<SegmentPrimitives>(segments, middle, options, index_limit, pack_segments);
     tree.open_ends = segments.linked;
     return tree;

@@ -2,7 +2,8 @@
 // Builds the topology of a kd-tree over any primitives that have
 //     size()             how many
 //     reference(id)      their box
-//     clip(reference)    the box shrunk to what lies in it; false: nothing
+//     clip_below(part, axis, s), clip_above(part, axis, s)
+//                        the box of a part that was just cut at s, shrunk to what lies in it; false: nothing
 #pragma once
 
 #include <tbb/parallel_reduce.h>

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <tuple>
 
 #include "accel/reference.h"
 #include "core/options.h"
@@ -49,10 +48,12 @@ private:
     float traversal_, full_, lo_, hi_, cap_, girth_, inverse_area_;
 };
 
-/// Keeps the cheapest split. Ties: the smaller axis, then the smaller position, whatever the order of the search.
-inline void keep_cheaper(std::optional<Split>& best, const Split& split) {
-    const auto key = [](const Split& s) { return std::tuple(s.cost, s.axis, s.position); };
-    if (!best || key(split) < key(*best)) best = split;
+/// Keeps the cheapest split of those offered in the order of axis, then position: of equal cost, the first.
+inline void keep_cheaper(std::optional<Split>& best, const AxisCost& cost, uint32_t axis, float s, uint32_t left,
+                         uint32_t right) {
+    if (!cost.cuts(s)) return;
+    const float c = cost(s, left, right);
+    if (!best || c < best->cost) best = Split{axis, s, c, left, right};
 }
 
 /// A lower bound of any split's cost: smaller nodes need no search.

@@ -40,11 +40,11 @@ struct Cut {
     /// Parts of a reference that goes to both sides; false where clipping leaves nothing.
     bool left_part(Reference& r) const {
         r.hi[int(axis)] = below(s);
-        return !clip || primitives.clip(r);
+        return !clip || primitives.clip_below(r, axis, s);
     }
     bool right_part(Reference& r) const {
         r.lo[int(axis)] = s;
-        return !clip || primitives.clip(r);
+        return !clip || primitives.clip_above(r, axis, s);
     }
 };
 

@@ -28,12 +28,16 @@ public:
     /// Box of everything within the radius of the axis, and some roundings more.
     Reference reference(uint32_t id) const;
 
-    /// Shrinks the box to the part of the segment that lies in it; false where there is none. What is within the radius
-    /// of the axis and in the box belongs to axis points in the box grown by the radius: the axis is clipped to that,
-    /// the box of what remains grown by the radius, and cut with the old one.
-    bool clip(Reference& reference) const;
+    /// `part` is the box of a part of the segment, cut at s across `axis`: shrinks it to what lies below or above the
+    /// plane; false where nothing does. What is within the radius of the axis and on this side belongs to axis points
+    /// not farther than the radius on the other: the axis is clipped there, the box of what remains grown by the
+    /// radius and cut with `part`.
+    bool clip_below(Reference& part, uint32_t axis, float s) const { return clip(part, int(axis), s, 1); }
+    bool clip_above(Reference& part, uint32_t axis, float s) const { return clip(part, int(axis), s, -1); }
 
 private:
+    bool clip(Reference& part, int axis, double s, double side) const;
+
     /// Added to a radius. Roundings of rays grow with the scene, not with the hair; but a scene with a far outlier must
     /// not swell thin hair to many times its width, so they count up to a share of the radius.
     double padding(const AxisSegment& segment, double radius) const;

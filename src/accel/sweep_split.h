@@ -29,8 +29,7 @@ void sweep_axis(std::span<const AnyFace> lo, std::span<const AnyFace> hi, const 
         const float end = above(position(hi[ended]));
         const float s = begun < n ? std::min(position(lo[begun]), end) : end;
         while (ended < n && position(hi[ended]) < s) ++ended;
-        const uint32_t left = uint32_t(begun), right = uint32_t(n - ended);
-        if (cost.cuts(s)) keep_cheaper(best, {axis, s, cost(s, left, right), left, right});
+        keep_cheaper(best, cost, axis, s, uint32_t(begun), uint32_t(n - ended));
         while (begun < n && position(lo[begun]) <= s) ++begun;
     }
 }

@@ -46,18 +46,18 @@ Reference TrianglePrimitives::reference(uint32_t id) const {
     return {Vec3(box.lo - padding_), Vec3(box.hi + padding_), id};
 }
 
-bool TrianglePrimitives::clip(Reference& reference) const {
+bool TrianglePrimitives::clip(Reference& part) const {
     Polygon polygon;
-    for (const Vec3& p : corners_[reference.id]) polygon.add(DVec3(p));
+    for (const Vec3& p : corners_[part.id]) polygon.add(DVec3(p));
     for (int k = 0; k < 3; ++k) {
-        polygon = clip_to_plane(polygon, k, reference.lo[k] - padding_, 1);
-        polygon = clip_to_plane(polygon, k, reference.hi[k] + padding_, -1);
+        polygon = clip_to_plane(polygon, k, part.lo[k] - padding_, 1);
+        polygon = clip_to_plane(polygon, k, part.hi[k] + padding_, -1);
     }
     DBounds box;
     for (size_t i = 0; i < polygon.corners; ++i) box.add(polygon.corner[i]);
-    reference.lo = max(reference.lo, Vec3(box.lo - padding_));
-    reference.hi = min(reference.hi, Vec3(box.hi + padding_));
-    return polygon.corners > 0 && !Bounds{reference.lo, reference.hi}.empty();
+    part.lo = max(part.lo, Vec3(box.lo - padding_));
+    part.hi = min(part.hi, Vec3(box.hi + padding_));
+    return polygon.corners > 0 && !Bounds{part.lo, part.hi}.empty();
 }
 
 }  // namespace tress

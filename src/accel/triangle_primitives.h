@@ -21,10 +21,14 @@ public:
     /// Box of the triangle, and some roundings more.
     Reference reference(uint32_t id) const;
 
-    /// Shrinks the box to the part of the triangle that lies in it; false where there is none.
-    bool clip(Reference& reference) const;
+    /// `part` is the box of a part of the triangle, cut at a plane: shrinks it to the box of what lies in it; false
+    /// where nothing does.
+    bool clip_below(Reference& part, uint32_t, float) const { return clip(part); }
+    bool clip_above(Reference& part, uint32_t, float) const { return clip(part); }
 
 private:
+    bool clip(Reference& part) const;
+
     std::vector<std::array<Vec3, 3>> corners_;
     double padding_ = 0;  // roundings of the scene's largest coordinate
 };
