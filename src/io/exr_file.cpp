@@ -10,7 +10,8 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cassert>
 #include <map>
 #include <string_view>
 
@@ -53,7 +54,9 @@ Imf::Slice slice(float* data, size_t channels, int width, Imath::V2i corner) {
 }
 
 /// Sorts channels as people list them: R, G, B, A, then by name.
-size_t rank(const std::string& channel) { return std::string_view("RGBA").find(channel); }
+size_t rank(const std::string& channel) {
+    return channel.size() == 1 ? std::string_view("RGBA").find(channel) : std::string_view::npos;
+}
 
 bool comes_first(const std::string& a, const std::string& b) {
     const size_t rank_a = rank(a), rank_b = rank(b);
@@ -65,7 +68,7 @@ std::map<std::string, std::vector<std::string>> layers_of(const Imf::ChannelList
     for (auto channel = list.begin(); channel != list.end(); ++channel) {
         const std::string name = channel.name();
         const size_t dot = name.rfind('.');
-        const bool is_plain = dot == std::string::npos;
+        const bool is_plain = dot == std::string::npos || dot == 0;
         layers[is_plain ? "" : name.substr(0, dot)].push_back(is_plain ? name : name.substr(dot + 1));
     }
     for (auto& [name, channels] : layers) std::sort(channels.begin(), channels.end(), comes_first);
@@ -96,6 +99,15 @@ LayeredImage read_layers(const std::string& path, Imf::InputFile& file) {
     return image;
 }
 
+bool find_channels(const Layer& layer, const std::array<const char*, 3>& names, std::array<size_t, 3>& place) {
+    for (size_t c = 0; c < names.size(); ++c) {
+        const auto found = std::find(layer.channels.begin(), layer.channels.end(), names[c]);
+        if (found == layer.channels.end()) return false;
+        place[c] = size_t(found - layer.channels.begin());
+    }
+    return true;
+}
+
 float as_light(float value) { return value > 0 ? std::min(value, kLargestHalf) : 0; }
 
 }  // namespace
@@ -107,6 +119,7 @@ void write_exr(const std::string& path, const LayeredImage& image) {
         header.compression() = Imf::ZIP_COMPRESSION;
         Imf::FrameBuffer frame;
         for (const Layer& layer : image.layers) {
+            assert(layer.data.size() == size_t(image.width) * size_t(image.height) * layer.channels.size());
             for (size_t c = 0; c < layer.channels.size(); ++c) {
                 const std::string name = channel_name(layer, layer.channels[c]);
                 header.channels().insert(name, Imf::Channel(Imf::FLOAT));
@@ -141,19 +154,15 @@ LayeredImage read_exr(const std::string& path) {
 
 Image read_environment(const std::string& path) {
     const LayeredImage file = read_exr(path);
-    const auto has_colors = [](const Layer& layer) {
-        const std::vector<std::string>& c = layer.channels;
-        return layer.name.empty() && ((c.size() >= 3 && c[0] == "R" && c[1] == "G" && c[2] == "B") ||
-                                      std::find(c.begin(), c.end(), "Y") != c.end());
-    };
-    const auto layer = std::find_if(file.layers.begin(), file.layers.end(), has_colors);
-    if (layer == file.layers.end()) throw InputError(path, "no channels R, G and B, expected them or Y");
-    const size_t stride = layer->channels.size();
-    const bool is_grey = layer->channels[0] != "R";
-    const size_t y = size_t(std::find(layer->channels.begin(), layer->channels.end(), "Y") - layer->channels.begin());
+    const Layer& layer = file.layers.front();  // "" sorts first
+    std::array<size_t, 3> place;
+    if (!layer.name.empty() ||
+        !(find_channels(layer, {"R", "G", "B"}, place) || find_channels(layer, {"Y", "Y", "Y"}, place)))
+        throw InputError(path, "no channels R, G and B, expected them or Y");
     Image image = make_image(file.width, file.height);
     for (size_t p = 0; p < image.pixel.size(); ++p)
-        for (size_t c = 0; c < 3; ++c) image.pixel[p][int(c)] = as_light(layer->data[p * stride + (is_grey ? y : c)]);
+        for (size_t c = 0; c < 3; ++c)
+            image.pixel[p][int(c)] = as_light(layer.data[p * layer.channels.size() + place[c]]);
     return image;
 }
 

@@ -20,7 +20,7 @@ PlyType read_type(TextScanner& in) {
     const std::string_view word = in.word();
     for (size_t t = 0; t < std::size(kTypes); ++t)
         if (word == kTypes[t].name || word == kTypes[t].other_name) return PlyType(t);
-    in.fail(quoted(word) + ", expected a type such as float or uchar");
+    in.fail(in_quotes(word) + ", expected a type such as float or uchar");
 }
 
 PlyFormat read_format(TextScanner& in) {
@@ -28,7 +28,7 @@ PlyFormat read_format(TextScanner& in) {
     if (word == "ascii") return PlyFormat::ascii;
     if (word == "binary_little_endian") return PlyFormat::little_endian;
     if (word == "binary_big_endian") return PlyFormat::big_endian;
-    in.fail(quoted(word) + ", expected ascii, binary_little_endian or binary_big_endian");
+    in.fail(in_quotes(word) + ", expected ascii, binary_little_endian or binary_big_endian");
 }
 
 PlyElement read_element(TextScanner& in) {
@@ -97,7 +97,7 @@ PlyHeader read_ply_header(ByteReader& file) {
             if (header.elements.empty()) in.fail("a property before any element");
             header.elements.back().properties.push_back(read_property(in));
         } else if (key != "ply" && key != "comment" && key != "obj_info" && key != "end_header" && !key.empty()) {
-            in.fail(quoted(key) + ", expected format, element, property, comment or end_header");
+            in.fail(in_quotes(key) + ", expected format, element, property, comment or end_header");
         }
     }
     if (!has_format) in.fail("no line that starts with format, expected one");

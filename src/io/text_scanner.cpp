@@ -52,13 +52,13 @@ std::string_view TextScanner::word_anywhere() {
 
 double TextScanner::number(std::string_view word) const {
     double value = 0;
-    if (!parse(word, value)) fail(quoted(word) + ", expected a number");
+    if (!parse(word, value)) fail(in_quotes(word) + ", expected a number");
     return value;
 }
 
 long long TextScanner::whole_number(std::string_view word) const {
     long long value = 0;
-    if (!parse(word, value)) fail(quoted(word) + ", expected a whole number");
+    if (!parse(word, value)) fail(in_quotes(word) + ", expected a whole number");
     return value;
 }
 
@@ -66,7 +66,7 @@ void TextScanner::fail(const std::string& problem) const {
     throw InputError(path_ + ": line " + std::to_string(line_), problem);
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     if (text.empty()) return "nothing";
     std::string result = "'";
     for (const char c : text.substr(0, kLongestQuote)) result += c >= ' ' && c <= '~' ? c : '?';

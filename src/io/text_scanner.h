@@ -33,6 +33,6 @@ private:
 };
 
 /// `text` for a message: cut where it is long, and on one line.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace tress
