@@ -26,8 +26,9 @@ inline CubicRoots solve_depressed_cubic(double a, double b, double y) {
     } else if (std::abs(ratio) > 1) {
         roots.root[roots.count++] = std::copysign(radius * std::cosh(std::acosh(std::abs(ratio)) / 3), -ratio);
     } else {
-        const double third = std::acos(-ratio) / 3;
-        for (int k = 0; k < 3; ++k) roots.root[roots.count++] = radius * std::cos(third - 2 * std::numbers::pi * k / 3);
+        const double third = std::asin(ratio) / 3;  // x = radius sin(t): sin(3 t) = ratio
+        for (int k = -1; k <= 1; ++k)
+            roots.root[roots.count++] = radius * std::sin(third + 2 * std::numbers::pi * k / 3);
     }
     return roots;
 }

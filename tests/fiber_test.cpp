@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+// The near field model as a whole: energy, sampling, reciprocity, extremes; and the parameters of fibers.
+#include "core/fiber.h"
+
+#include <doctest/doctest.h>
+
+#include "core/error.h"
+#include "tests/fiber_support.h"
+
+using namespace tress;
+
+namespace {
+
+const float kRoughness[] = {0, 1e-3f, 0.01f, 0.1f, 0.3f, 1};
+
+/// f |cos theta_i| in double, from the formulas as published: angles, Bessel functions and the series term by term.
+struct Direct {
+    double forward = 0, reflected = 0;
+};
+
+double direct_longitudinal(double theta_i, double theta_o, double v) {
+    return std::exp(-std::sin(theta_i) * std::sin(theta_o) / v) *
+           std::cyl_bessel_i(0.0, std::cos(theta_i) * std::cos(theta_o) / v) / (2 * v * std::sinh(1 / v));
+}
+
+double direct_azimuthal(double x, double s) {
+    const auto below = [&](double t) { return 1 / (1 + std::exp(-t / s)); };
+    const double e = std::exp(-std::remainder(x, 2 * kPiD) / s);
+    return e / (s * square(1 + e)) / (below(kPiD) - below(-kPiD));
+}
+
+Direct direct(const FiberParameters& q, double sigma_a, double theta_o, double phi_o, double theta_i, double phi_i,
+              double h) {
+    const double m = double(q.beta_m), n = double(q.beta_n), eta = double(q.eta);
+    const double alpha = double(q.alpha_degrees) * kPiD / 180;
+    const double v = square(0.726 * m + 0.812 * m * m + 3.7 * std::pow(m, 20));
+    const double s = std::sqrt(kPiD / 8) * (0.265 * n + 1.194 * n * n + 5.372 * std::pow(n, 22));
+    const double gamma_o = std::asin(h), sin_t = std::sin(theta_o) / eta, cos_t = std::sqrt(1 - sin_t * sin_t);
+    const double bravais = std::sqrt(eta * eta - square(std::sin(theta_o))) / std::cos(theta_o);
+    const double gamma_t = std::asin(h / bravais);
+    const double transmittance = std::exp(-sigma_a * 2 * std::cos(gamma_t) / cos_t);
+
+    const double cos_1 = std::cos(theta_o) * std::cos(gamma_o), cos_2 = std::sqrt(1 - (1 - cos_1 * cos_1) / eta / eta);
+    const double rs = (cos_1 - eta * cos_2) / (cos_1 + eta * cos_2), rp = (eta * cos_1 - cos_2) / (eta * cos_1 + cos_2);
+    const double f = (rs * rs + rp * rp) / 2;
+
+    Direct value;
+    const double variance[] = {v, v / 4, 4 * v}, shift[] = {2 * alpha, -alpha, -4 * alpha};
+    double energy = f;
+    for (int p = 0; p < 400; ++p) {
+        if (p == 1) energy = square(1 - f) * transmittance;
+        if (p > 1) energy *= f * transmittance;
+        const double exit = phi_o + 2 * gamma_o + p * (kPiD - 2 * gamma_t);
+        double tilted = p < 3 ? theta_o + shift[p] : theta_o;
+        if (std::abs(tilted) > kPiD / 2) tilted = std::copysign(kPiD, tilted) - tilted;
+        const double along = direct_longitudinal(theta_i, tilted, p < 3 ? variance[p] : 4 * v);
+        const double around = p < 3 ? direct_azimuthal(phi_i - exit, s) : 1 / (2 * kPiD);
+        (p == 1 ? value.forward : value.reflected) += energy * along * around;
+    }
+    return value;
+}
+
+Albedo furnace(const Fiber& fiber, double theta, double h) { return albedo_of(fiber, Rgb(0), theta, 0.4, h); }
+
+}  // namespace
+
+TEST_CASE("both parts of f are the published formulas in double precision") {
+    uint64_t tested = 0;
+    for (const float beta_m : {0.15f, 0.3f, 0.7f, 1.0f})
+        for (const float beta_n : {0.1f, 0.4f, 1.0f})
+            for (uint64_t k = 0; k < 300; ++k) {
+                FiberParameters q;
+                q.beta_m = beta_m;
+                q.beta_n = beta_n;
+                q.alpha_degrees = 3;
+                const uint64_t key = hash(7, k);
+                const Vec3 wo = uniform_direction(hash(key, 0)), wi = uniform_direction(hash(key, 1));
+                const float h = 2 * random(key, 2) - 1, sigma_a = 2 * random(key, 3);
+                const FiberScattering value = evaluate(make_fiber(q), Rgb(sigma_a), wo, wi, h);
+                const auto theta = [](const Vec3& w) {
+                    return std::atan2(double(w.x), std::hypot(double(w.y), double(w.z)));
+                };
+                const auto phi = [](const Vec3& w) { return std::atan2(double(w.z), double(w.y)); };
+                const Direct expected = direct(q, double(sigma_a), theta(wo), phi(wo), theta(wi), phi(wi), double(h));
+                CAPTURE(beta_m);
+                CAPTURE(beta_n);
+                CAPTURE(k);
+                // Exponents reach 2 / v = 450 and pi / s = 129, each rounded to a few 6e-8.
+                CHECK(std::abs(double(value.forward.x) - expected.forward) <= 1e-4 * expected.forward + 1e-30);
+                CHECK(std::abs(double(value.reflected.x) - expected.reflected) <= 1e-4 * expected.reflected + 1e-30);
+                ++tested;
+            }
+    CHECK(tested == 3600);
+}
+
+TEST_CASE("a fiber that does not absorb scatters all light, at every roughness") {
+    const double kTheta[] = {0, 0.4, -0.8, 1.2, 1.5, 1.57, kPiD / 2, -kPiD / 2}, kH[] = {0, -0.4, 0.8, 0.99, 1, -1};
+    int pick = 0;
+    double worst = 0;
+    for (const float beta_m : kRoughness)
+        for (const float beta_n : kRoughness)
+            for (int i = 0; i < 3; ++i, ++pick) {
+                const double theta = kTheta[pick % 8], h = kH[(pick / 3) % 6];
+                CAPTURE(beta_m);
+                CAPTURE(beta_n);
+                CAPTURE(theta);
+                CAPTURE(h);
+                const Albedo albedo = furnace(fiber_of(beta_m, beta_n), theta, h);
+                const double error = std::abs(albedo.forward.x + albedo.reflected.x - 1);
+                worst = std::max(worst, error);
+                CHECK(error < 1e-3);
+            }
+    MESSAGE("worst error of the white furnace: " << worst);
+}
+
+TEST_CASE("a fiber that does not absorb scatters all light, at every inclination and offset") {
+    const Fiber fiber = fiber_of(0.3f, 0.3f);
+    for (const double theta : {0.0, 0.4, -0.8, 1.2, 1.5, 1.57, 1.5707, kPiD / 2, -kPiD / 2})
+        for (const double h : {0.0, -0.4, 0.8, 0.99, 0.99999, 1.0, -1.0}) {
+            CAPTURE(theta);
+            CAPTURE(h);
+            const Albedo albedo = furnace(fiber, theta, h);
+            CHECK(std::abs(albedo.forward.x + albedo.reflected.x - 1) < 1e-3);
+        }
+}
+
+TEST_CASE("the pdf integrates to one and is f over its albedo where that is grey") {
+    for (const float beta_m : {0.0f, 0.1f, 0.3f, 1.0f})
+        for (const float beta_n : {0.0f, 0.3f, 1.0f})
+            for (const double h : {0.0, -0.6, 1.0}) {
+                const Fiber fiber = fiber_of(beta_m, beta_n);
+                const double theta = 0.7, phi = -1.1;
+                const Rgb sigma_a(0.4f);  // one grey: the pdf is f over its albedo exactly
+                const SphereNodes nodes = sphere_nodes(fiber, theta, phi, h);
+                const Albedo albedo = albedo_of(fiber, sigma_a, theta, phi, h);
+                const double total = albedo.forward.x + albedo.reflected.x;
+                double sum = 0, unlike = 0;
+                for (size_t i = 0; i < nodes.direction.size(); ++i) {
+                    const Vec3 wo = direction(theta, phi), wi = nodes.direction[i];
+                    const double density = double(pdf(fiber, sigma_a, wo, wi, float(h)));
+                    sum += nodes.weight[i] * density;
+                    if (i % 16 != 0) continue;
+                    const FiberScattering value = evaluate(fiber, sigma_a, wo, wi, float(h));
+                    unlike = std::max(unlike, std::abs(double(value.forward.x + value.reflected.x) - density * total) /
+                                                  (density * total + 1e-30));
+                }
+                CAPTURE(beta_m);
+                CAPTURE(beta_n);
+                CAPTURE(h);
+                CHECK(std::abs(sum - 1) < 1e-3);
+                CHECK(unlike < 1e-3);
+            }
+}
+
+TEST_CASE("sampled directions give the integral that uniform ones give") {
+    constexpr int kSamples = 40000;
+    const auto radiance = [](const Vec3& w) { return 1 + 0.5 * double(w.x) - 0.7 * double(w.y) * double(w.z); };
+    for (const FiberModel model : {FiberModel::chiang, FiberModel::marschner})
+        for (const float beta : {0.25f, 0.5f, 1.0f})
+            for (const double h : {0.0, -0.7}) {
+                const Fiber fiber = fiber_of(beta, beta, model);
+                const Rgb sigma_a(0.1f, 0.4f, 1.5f);
+                const Vec3 wo = direction(0.5, 2.0);
+                double sum[2] = {}, squares[2] = {};
+                for (int k = 0; k < kSamples; ++k) {
+                    const uint64_t key = hash(11, uint64_t(k));
+                    const glm::vec4 u(random(key, 0), random(key, 1), random(key, 2), random(key, 3));
+                    const FiberSample s = sample(fiber, sigma_a, wo, float(h), u);
+                    CHECK(s.pdf == pdf(fiber, sigma_a, wo, s.wi, float(h)));
+                    const Vec3 w = uniform_direction(hash(key, 4));
+                    const FiberScattering f = evaluate(fiber, sigma_a, wo, w, float(h));
+                    const double x[2] = {
+                        s.pdf > 0 ? double(mean(s.value.forward + s.value.reflected) / s.pdf) * radiance(s.wi) : 0,
+                        double(mean(f.forward + f.reflected)) * 4 * kPiD * radiance(w)};
+                    for (int i = 0; i < 2; ++i) {
+                        sum[i] += x[i];
+                        squares[i] += x[i] * x[i];
+                    }
+                }
+                double average[2], variance = 0;
+                for (int i = 0; i < 2; ++i) {
+                    average[i] = sum[i] / kSamples;
+                    variance += (squares[i] / kSamples - square(average[i])) / kSamples;
+                }
+                CAPTURE(int(model));
+                CAPTURE(beta);
+                CAPTURE(h);
+                CHECK(std::abs(average[0] - average[1]) < 4 * std::sqrt(variance));
+            }
+}
+
+TEST_CASE("f keeps its value when light is reversed, exactly where only sharp geometry decides") {
+    // M is symmetric without tilt. At an index of 1 nothing else depends on h or theta_o: f |cos theta| is symmetric.
+    FiberParameters q;
+    q.alpha_degrees = 0;
+    q.eta = 1;
+    const Fiber glassless = make_fiber(q);
+    q.eta = 1.55f;
+    const Fiber fiber = make_fiber(q);
+    double difference = 0, total = 0;
+    for (uint64_t k = 0; k < 4000; ++k) {
+        const Vec3 a = uniform_direction(hash(3, 2 * k)), b = uniform_direction(hash(3, 2 * k + 1));
+        const float there = evaluate(glassless, Rgb(0), a, b, 0.3f).forward.x;
+        const float back = evaluate(glassless, Rgb(0), b, a, 0.3f).forward.x;
+        CHECK(there == doctest::Approx(double(back)).epsilon(1e-4));
+
+        const Vec3 mirrored = direction(-std::asin(double(a.x)), std::atan2(double(b.z), double(b.y)));
+        double f[4] = {};  // averaged over h: at one h the reversed light meets the fiber elsewhere
+        for (const QuadratureNode& h : gauss_legendre(48, -1, 1)) {
+            const auto of = [&](const Vec3& o, const Vec3& i) {
+                const FiberScattering s = evaluate(fiber, Rgb(0.3f), o, i, float(h.x));
+                return h.weight / 2 * double(s.forward.x + s.reflected.x);
+            };
+            f[0] += of(a, b);
+            f[1] += of(b, a);
+            f[2] += of(a, mirrored);
+            f[3] += of(mirrored, a);
+        }
+        difference += std::abs(f[0] - f[1]);
+        total += f[0] + f[1];
+        CHECK(f[2] == doctest::Approx(f[3]).epsilon(1e-3));  // |theta_i| = |theta_o|
+    }
+    MESSAGE("mean asymmetry of f |cos theta|, averaged over h: " << difference / total);
+    CHECK(difference / total < 0.05);
+}
+
+TEST_CASE("nothing is infinite, negative or not a number, to the exact ends of every range") {
+    constexpr int kTheta = 11, kPhi = 8, kH = 7;
+    const double kEnds[kTheta] = {-kPiD / 2, -1.5707, -1.5, -0.8, -1e-4, 0, 0.3, 1.2, 1.57, 1.570796, kPiD / 2};
+    const float kOffset[kH] = {-1, -0.99999994f, -0.5f, 0, 0.7f, 0.9999f, 1};
+    std::vector<Vec3> directions;
+    for (const double theta : kEnds)
+        for (int k = 0; k < kPhi; ++k) directions.push_back(direction(theta, (k - kPhi / 2) * 2 * kPiD / kPhi));
+    for (const double sign : {-1.0, 1.0}) directions.push_back(Vec3(float(sign), 0, 0));
+    std::vector<FiberScattering> value(directions.size());
+
+    uint64_t evaluations = 0, bad = 0;
+    for (const FiberModel model : {FiberModel::chiang, FiberModel::marschner})
+        for (const float beta : {0.0f, 0.3f, 1.0f})
+            for (const float eta : {1.0f, 1.0000001f, 1.55f, 10.0f})
+                for (const float alpha : {0.0f, 40.0f})
+                    for (const float sigma_a : {0.0f, 1.0f, kInfinity}) {
+                        FiberParameters q{model, Rgb(sigma_a), beta, beta, alpha, eta};
+                        const Fiber fiber = make_fiber(q);
+                        const int offsets = model == FiberModel::chiang ? kH : 1;
+                        for (const Vec3& wo : directions)
+                            for (int k = 0; k < offsets; ++k) {
+                                evaluate(fiber, q.sigma_a, wo, kOffset[k], directions, value);
+                                for (const FiberScattering& v : value) {
+                                    const bool fine = is_finite(v.forward) && is_finite(v.reflected) &&
+                                                      min_component(v.forward) >= 0 && min_component(v.reflected) >= 0;
+                                    bad += !fine;
+                                    ++evaluations;
+                                }
+                                const float high = 1 - 0x1p-24f;
+                                for (const float x : {0.0f, 0.5f, high}) {
+                                    const FiberSample s =
+                                        sample(fiber, q.sigma_a, wo, kOffset[k], {x, high - x, x, high});
+                                    bad += !(is_finite(s.wi) && std::isfinite(s.pdf) && s.pdf >= 0);
+                                    bad += !(std::abs(length(s.wi) - 1) < 1e-5f);
+                                }
+                            }
+                    }
+    CHECK(evaluations > 1000000);
+    CHECK(bad == 0);
+}
+
+TEST_CASE("an infinite absorption leaves only R, an index of 1 only TT") {
+    FiberParameters q;
+    const Fiber fiber = make_fiber(q);
+    q.eta = 1;
+    const Fiber glassless = make_fiber(q);
+    for (const double theta : {0.0, 1.1, kPiD / 2})
+        for (const double h : {0.0, 0.6, 1.0}) {
+            CAPTURE(theta);
+            CAPTURE(h);
+            const Albedo black = albedo_of(fiber, Rgb(kInfinity), theta, 0, h);
+            const double cos_1 = std::cos(theta) * std::sqrt(1 - h * h);
+            const double cos_2 = std::sqrt(1 - (1 - cos_1 * cos_1) / square(1.55));
+            const double r = 0.5 * (square((cos_1 - 1.55 * cos_2) / (cos_1 + 1.55 * cos_2)) +
+                                    square((1.55 * cos_1 - cos_2) / (1.55 * cos_1 + cos_2)));
+            CHECK(black.forward.x == 0);
+            CHECK(std::abs(black.reflected.x - r) < 1e-3);
+            const Albedo clear = albedo_of(glassless, Rgb(0), theta, 0, h);
+            CHECK(std::abs(clear.forward.x - 1) < 1e-3);
+            CHECK(clear.reflected.x == 0);
+        }
+    const FiberSample none = sample(glassless, Rgb(kInfinity), direction(0.2, 0), 0.3f, glm::vec4(0.5f));
+    CHECK(none.pdf == 0);
+}
+
+TEST_CASE("a parameter out of range is refused by its name and range") {
+    const auto refused = [](const char* name, auto change) {
+        FiberParameters q;
+        change(q);
+        CAPTURE(name);
+        CHECK_THROWS_WITH_AS(make_fiber(q), doctest::Contains(name), InputError);
+        CHECK_THROWS_WITH_AS(make_fiber(q), doctest::Contains("expected a number from"), InputError);
+    };
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const float bad : {-0.01f, 1.01f, nan}) {
+        refused("beta_m", [&](FiberParameters& q) { q.beta_m = bad; });
+        refused("beta_n", [&](FiberParameters& q) { q.beta_n = bad; });
+    }
+    for (const float bad : {0.99f, 0.0f, 11.0f, kInfinity, nan}) refused("eta", [&](auto& q) { q.eta = bad; });
+    for (const float bad : {46.0f, -90.0f, nan}) refused("alpha", [&](auto& q) { q.alpha_degrees = bad; });
+    for (const float bad : {-1e-6f, -kInfinity, nan}) refused("sigma_a", [&](auto& q) { q.sigma_a.y = bad; });
+}
+
+TEST_CASE("absorption follows melanin and colour") {
+    CHECK(sigma_a_from_melanin(0, 0) == Rgb(0));
+    CHECK(sigma_a_from_melanin(1, 0).z == doctest::Approx(1.37));
+    CHECK(sigma_a_from_melanin(1, 2).x == doctest::Approx(0.419 + 2 * 0.187));
+    CHECK_THROWS_AS(sigma_a_from_melanin(-1, 0), InputError);
+    CHECK_THROWS_AS(sigma_a_from_melanin(0, kInfinity), InputError);
+
+    const Rgb sigma_a = sigma_a_from_color(Rgb(1, 0.5f, 0), 0.3f);
+    const double fit = 5.969 - 0.215 * 0.3 + 2.532 * 0.09 - 10.73 * 0.027 + 5.574 * 0.0081 + 0.245 * 0.00243;
+    CHECK(sigma_a.x == 0);
+    CHECK(sigma_a.y == doctest::Approx(square(std::log(0.5) / fit)));
+    CHECK(std::isinf(sigma_a.z));
+    CHECK_THROWS_AS(sigma_a_from_color(Rgb(0, 1.1f, 0), 0.3f), InputError);
+    CHECK_THROWS_AS(sigma_a_from_color(Rgb(0, -0.1f, 0), 0.3f), InputError);
+}
