@@ -18,10 +18,14 @@ namespace tress {
 namespace {
 
 constexpr uint64_t kMostSegments = uint64_t(1) << 31;
-constexpr size_t kLargeClumps = 260, kSmallClumps = 3200;          // on the whole scalp: locks 1.6 and 0.45 cm apart
-constexpr size_t kStrandsPerClump = 8;                             // at least, on average: sparse hair has fewer clumps
-constexpr float kPartingGap = 3;                                   // cm that keep clumps of the two sides apart
-constexpr float kClumpBorder = 0.35f;                              // cm by which the borders of clumps are blurred
+constexpr size_t kLargeClumps = 260, kSmallClumps = 3200;  // on the whole scalp: locks 1.6 and 0.45 cm apart
+constexpr size_t kStrandsPerClump = 8;                     // at least, on average: sparse hair has fewer clumps
+constexpr float kPartingGap = 3;                           // cm that keep clumps of the two sides apart
+constexpr float kClumpBorder = 0.35f;                      // cm by which the borders of clumps are blurred
+constexpr float kLosing = 2.5f, kLost = 6;                 // cm: strands so far from their clump leave it
+constexpr float kClumpClearance = 0.05f;                   // cm
+constexpr float kUnisonHeight = -1;                        // cm
+constexpr int kLaidNode = 8;  // of a path: by here it has turned from the scalp's normal to the combed direction
 constexpr float kRootRadius = 0.004f, kRadiusVariation = 0.0005f;  // cm
 constexpr float kTipRadius = 0.25f;                                // relative to the root
 
@@ -46,23 +50,37 @@ struct Clumps {
     std::vector<uint64_t> key;
     std::vector<HairPath> path;
     std::vector<std::array<Vec3, HairPath::kNodes>> side;  // unit, across the path
+    std::vector<float> fallen;                             // arc length at which the path has reached kUnisonHeight
     std::vector<uint32_t> parent;                          // the large clump of a small one, or empty
     PointGrid roots;
 };
 
-std::array<Vec3, HairPath::kNodes> sides(const HairPath& path) {
+/// Unit vectors across a path, carried along it; at the root in the plane of the scalp, so that a path that lies on the
+/// head has them in the plane of the head, and neighbours have them alike.
+std::array<Vec3, HairPath::kNodes> sides(const HairPath& path, const Vec3& normal) {
     std::array<Vec3, HairPath::kNodes> side;
     const auto tangent = [&](int i) {
         const int last = HairPath::kNodes - 1;
         return normalize(path.node[glm::min(i + 1, last)] - path.node[glm::max(i - 1, 0)]);
     };
-    side[0] = frame_about(tangent(0)).x;
-    for (int i = 1; i < HairPath::kNodes; ++i) side[i] = carry_side(side[i - 1], tangent(i - 1), tangent(i));
+    const Vec3 out = fiber_frame(tangent(kLaidNode), normal).y;
+    for (int i = 0; i <= kLaidNode; ++i) side[i] = out;
+    for (int i = kLaidNode + 1; i < HairPath::kNodes; ++i)
+        side[i] = carry_side(side[i - 1], tangent(i - 1), tangent(i));
     return side;
 }
 
-/// How far a strand has come to its clump at arc length s.
-float gathered(float s, float length) { return glm::smoothstep(0.05f * length, 0.75f * length, s); }
+/// Arc length at which the path falls below the middle of the head: where waves in unison have one phase.
+float fallen(const HairPath& path) {
+    int n = 0;
+    while (n + 1 < HairPath::kNodes && path.node[n].y > kUnisonHeight) ++n;
+    return path.step * float(n) + (path.node[n].y - kUnisonHeight);
+}
+
+/// How far a strand has come to its clump at arc length s, where the two run `apart` from each other.
+float gathered(float s, float length, float apart) {
+    return glm::smoothstep(0.05f * length, 0.6f * length, s) * (1 - glm::smoothstep(kLosing, kLost, apart));
+}
 
 Clumps make_clumps(const GroomStyle& style, const Scalp& scalp, size_t count, uint64_t key, const Clumps* larger) {
     const Roots roots = place_roots(scalp, count, key);
@@ -71,6 +89,7 @@ Clumps make_clumps(const GroomStyle& style, const Scalp& scalp, size_t count, ui
     Clumps clumps{.key = std::vector<uint64_t>(count),
                   .path = std::vector<HairPath>(count),
                   .side = std::vector<std::array<Vec3, HairPath::kNodes>>(count),
+                  .fallen = std::vector<float>(count),
                   .parent = std::vector<uint32_t>(larger ? count : 0),
                   .roots = PointGrid(moved)};
     tbb::parallel_for(size_t(0), count, [&](size_t i) {
@@ -81,11 +100,14 @@ Clumps make_clumps(const GroomStyle& style, const Scalp& scalp, size_t count, ui
         if (larger) {
             const uint32_t parent = clumps.parent[i] = larger->roots.nearest(moved[i]);
             for (int n = 0; n < HairPath::kNodes; ++n) {
-                const float weight = style.large_clump * gathered(path.step * float(n), path.length());
-                path.node[n] = glm::mix(path.node[n], larger->path[parent].node[n], weight);
+                const Vec3 to = larger->path[parent].node[n];
+                const float apart = distance(path.node[n], to);
+                const float weight = style.large_clump * gathered(path.step * float(n), path.length(), apart);
+                path.node[n] = push_out(scalp, glm::mix(path.node[n], to, weight), kClumpClearance);
             }
         }
-        clumps.side[i] = sides(path);
+        clumps.side[i] = sides(path, roots.normal[i]);
+        clumps.fallen[i] = fallen(path);
     });
     return clumps;
 }
@@ -102,7 +124,7 @@ struct Strand {
 Strand make_strand(const GroomStyle& style, const Vec3& root, uint64_t key, uint64_t large, uint64_t small) {
     Strand strand;
     strand.key = key;
-    const float height = glm::smoothstep(-7.0f, 10.0f, root.y);
+    const float height = std::pow(root_height(root), style.cut);
     const float meant = style.nape_length + height * (style.crown_length - style.nape_length);
     // Locks are cut to lengths of their own, and few strands are much shorter than their lock.
     const float lock = 1 - 0.5f * (1 - style.shortest) * random(small, 10);
@@ -111,11 +133,12 @@ Strand make_strand(const GroomStyle& style, const Vec3& root, uint64_t key, uint
     strand.root_radius = kRootRadius + kRadiusVariation * signed_random(key, 11);
     const bool flyaway = random(key, 12) < style.flyaways;
     strand.clumping = flyaway ? 0.15f : style.small_clump * (1 - 0.35f * square(random(key, 13)));
-    strand.disorder = style.disorder * (flyaway ? 4.0f : 0.4f + square(random(key, 14)));
+    strand.disorder = style.disorder * (flyaway ? 2.0f : 0.3f + square(random(key, 14)));
     strand.wave_width = style.wave_width * (0.75f + 0.4f * random(small, 15) + 0.15f * signed_random(key, 15));
     strand.wave_length = style.wave_length * (1 + 0.15f * signed_random(large, 16) + 0.08f * signed_random(small, 16));
-    const float spread = 0.6f * signed_random(small, 17) + 0.25f * signed_random(key, 17);
-    strand.phase = 2 * kPi * random(large, 17) + spread * (flyaway ? 3.0f : 1.0f);
+    const float apart = (1 - style.unison) * kPi * signed_random(large, 17);
+    const float spread = 0.5f * signed_random(small, 17) + 0.25f * signed_random(key, 17);
+    strand.phase = apart + spread * (flyaway ? 3.0f : 1.0f);
     return strand;
 }
 
@@ -126,8 +149,10 @@ Vec3 wave(const GroomStyle& style, const Strand& strand, const Clumps& clumps, u
     const Vec3 tangent = normalize(path.node[n + 1] - path.node[n - 1]);
     const Vec3 side = clumps.side[clump][n], up = cross(tangent, side);
     const float width = strand.wave_width * glm::smoothstep(0.0f, style.wave_start, s);
-    const float wobble = 0.8f * line_noise(hash(strand.key, 18), s / (2 * strand.wave_length));
-    const float angle = 2 * kPi * s / strand.wave_length + strand.phase + wobble;
+    const float at = s / (2 * strand.wave_length);
+    const float wobble =
+        0.6f * line_noise(hash(clumps.key[clump], 18), at) + 0.2f * line_noise(hash(strand.key, 18), at);
+    const float angle = 2 * kPi * (s - clumps.fallen[clump]) / strand.wave_length + strand.phase + wobble;
     return width * (std::cos(angle) * side + style.roundness * std::sin(angle) * up);
 }
 
@@ -153,7 +178,7 @@ StrandSet make_groom(std::string_view name, uint64_t segments, uint64_t seed) {
     const Scalp scalp = make_scalp();
     const auto clump_count = [&](size_t most) { return std::clamp<size_t>(count / kStrandsPerClump, 1, most); };
     const Clumps large = make_clumps(style, scalp, clump_count(kLargeClumps), hash(seed, kLargeStream), nullptr);
-    const Clumps small = make_clumps(style, scalp, clump_count(kSmallClumps), hash(seed, kSmallStream), &large);
+    const Clumps small = make_clumps(style, scalp, clump_count(size_t(style.locks)), hash(seed, kSmallStream), &large);
     const uint64_t strand_key = hash(seed, kStrandStream);
     const Roots roots = place_roots(scalp, count, strand_key);
 
@@ -176,10 +201,11 @@ StrandSet make_groom(std::string_view name, uint64_t segments, uint64_t seed) {
             const size_t at = i * points + k;
             Vec3 p = root;
             if (k > 0) {
-                const float weight = strand.clumping * gathered(s, strand.length);
-                p = glm::mix(own.at(s), small.path[clump].at(s), weight);
+                const Vec3 alone = own.at(s), together = small.path[clump].at(s);
+                const float apart = distance(alone, together);
+                p = glm::mix(alone, together, strand.clumping * gathered(s, strand.length, apart));
                 p += wave(style, strand, small, clump, s);
-                p += strand.disorder * t * line_noise3(hash(key, 23), 0.3f * s);
+                p += strand.disorder * t * line_noise3(hash(key, 23), 0.15f * s);
                 p = push_out(scalp, p, glm::min(0.1f, 0.2f * s));
             }
             set.x[at] = p.x, set.y[at] = p.y, set.z[at] = p.z;

@@ -26,6 +26,9 @@ struct HairCharacter {
     float unruly = 0;    // 0: as its neighbours; 1: a flyaway
 };
 
+/// 0 at the lowest part of the hair line, 1 at the crown.
+float root_height(const Vec3& root);
+
 /// The longest strand that the style has, with what variation may add.
 float longest_strand(const GroomStyle& style);
 

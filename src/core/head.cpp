@@ -23,6 +23,8 @@ float ellipsoid(const Vec3& p, const Vec3& center, const Vec3& radii) {
     return k0 * (k0 - 1) / k1;
 }
 
+float sphere(const Vec3& p, const Vec3& center, float radius) { return distance(p, center) - radius; }
+
 /// Capsule whose radius runs linearly from r0 at a to r1 at b.
 float cone(const Vec3& p, const Vec3& a, const Vec3& b, float r0, float r1) {
     const Vec3 axis = b - a;
@@ -35,27 +37,28 @@ Vec3 mirrored(const Vec3& p) { return {std::sqrt(p.x * p.x + 0.16f), p.y, p.z}; 
 
 float skull(const Vec3& p) {
     float d = ellipsoid(p, {0, 3.1f, -1.3f}, {7.5f, 7.9f, 9.3f});
-    d = smooth_union(d, ellipsoid(p, {0, -2.6f, 2.2f}, {6.2f, 7.4f, 6.0f}), 2.5f);
-    d = smooth_union(d, cone(p, {5.0f, -4.6f, 0.0f}, {1.2f, -9.3f, 5.6f}, 1.5f, 1.5f), 2.6f);
-    return smooth_union(d, ellipsoid(p, {0, -9.2f, 6.9f}, {1.9f, 1.7f, 1.5f}), 1.8f);
+    d = smooth_union(d, ellipsoid(p, {0, -2.2f, 2.1f}, {5.9f, 7.4f, 6.1f}), 2.5f);
+    d = smooth_union(d, cone(p, {4.4f, -4.4f, 0.2f}, {0.8f, -9.0f, 5.4f}, 1.6f, 1.6f), 3.0f);
+    return smooth_union(d, ellipsoid(p, {0, -9.3f, 6.6f}, {1.7f, 1.6f, 1.5f}), 2.2f);
 }
 
 float add_features(float d, const Vec3& p) {
-    d = smooth_union(d, cone(p, {1.2f, 2.3f, 7.3f}, {4.6f, 2.5f, 5.3f}, 0.75f, 0.6f), 1.6f);  // brow
-    d = smooth_union(d, ellipsoid(p, {4.0f, -2.5f, 5.4f}, {1.9f, 1.5f, 1.8f}), 2.0f);         // cheekbone
-    d = smooth_difference(d, ellipsoid(p, {3.0f, 0.4f, 8.6f}, {1.9f, 1.1f, 1.7f}), 1.3f);     // eye socket
-    d = smooth_union(d, ellipsoid(p, {3.0f, 0.2f, 6.0f}, {1.5f, 1.25f, 1.25f}), 0.35f);       // closed lid
-    d = smooth_union(d, cone(p, {0, 1.4f, 7.7f}, {0, -3.1f, 9.9f}, 0.5f, 0.72f), 0.9f);       // nose
-    d = smooth_union(d, ellipsoid(p, {0.95f, -3.3f, 8.9f}, {0.65f, 0.55f, 0.8f}), 0.6f);      // nostril
-    d = smooth_union(d, ellipsoid(p, {0, -6.2f, 6.5f}, {2.9f, 2.0f, 2.0f}), 1.2f);            // mouth
-    d = smooth_union(d, ellipsoid(p, {0.45f, -5.75f, 8.3f}, {1.5f, 0.42f, 0.5f}), 0.5f);      // upper lip
-    d = smooth_union(d, ellipsoid(p, {0, -6.75f, 8.2f}, {1.6f, 0.48f, 0.6f}), 0.35f);         // lower lip
+    d = smooth_union(d, cone(p, {1.1f, 2.2f, 7.3f}, {4.3f, 2.6f, 5.6f}, 0.5f, 0.4f), 2.4f);        // brow
+    d = smooth_union(d, ellipsoid(p, {3.6f, -2.6f, 5.1f}, {1.9f, 1.6f, 1.8f}), 2.6f);              // cheek
+    d = smooth_union(d, ellipsoid(p, {3.1f, -5.6f, 2.6f}, {2.3f, 3.0f, 3.0f}), 3.0f);              // lower cheek
+    d = smooth_difference(d, ellipsoid(p, {3.0f, 0.5f, 8.7f}, {1.9f, 1.1f, 1.7f}), 1.3f);          // eye socket
+    d = smooth_union(d, sphere(p, {3.0f, 0.35f, 5.95f}, 1.42f), 0.3f);                             // closed lid
+    d = smooth_union(d, cone(p, {0, 1.8f, 7.2f}, {0, -2.9f, 9.3f}, 0.6f, 0.85f), 1.3f);            // nose
+    d = smooth_union(d, ellipsoid(p, {0.85f, -3.2f, 8.3f}, {0.65f, 0.55f, 0.9f}), 0.8f);           // nostril
+    d = smooth_union(d, ellipsoid(p, {0, -6.2f, 6.0f}, {2.7f, 1.9f, 1.9f}), 1.6f);                 // mouth
+    d = smooth_union(d, cone(p, {0.3f, -5.8f, 8.0f}, {2.1f, -6.15f, 7.3f}, 0.38f, 0.3f), 0.35f);   // upper lip
+    d = smooth_union(d, cone(p, {0.2f, -6.7f, 7.95f}, {1.8f, -6.45f, 7.3f}, 0.45f, 0.3f), 0.25f);  // lower lip
     return d;
 }
 
 /// Neck, shoulders and chest, cut flat below.
 float torso(const Vec3& p) {
-    float d = cone(p, {0, -4.0f, -2.8f}, {0, -18.0f, -4.2f}, 5.0f, 5.4f);
+    float d = cone(p, {0, -4.0f, -2.4f}, {0, -18.0f, -4.2f}, 4.6f, 4.9f);
     d = smooth_union(d, cone(p, {2.5f, -18.2f, -4.8f}, {16.0f, -20.6f, -4.2f}, 3.4f, 4.0f), 4.0f);
     d = smooth_union(d, ellipsoid(p, {0, -27.0f, -3.2f}, {17.5f, 10.0f, 8.4f}), 4.0f);
     return smooth_intersection(d, -30.0f - p.y, 1.0f);
@@ -63,6 +66,7 @@ float torso(const Vec3& p) {
 
 constexpr float kMeshCell = 0.36f;    // cm: 50 thousand triangles, and lids and lips keep their shape
 constexpr float kDifference = 0.02f;  // cm, of the central differences: well below the smallest feature
+constexpr float kEarRim = 0.2f;       // cm, the roundness of its edge
 constexpr int kNewtonSteps = 3;
 
 }  // namespace
@@ -73,13 +77,13 @@ float ear_distance(const Vec3& p) {
     const Vec3 local = q - Vec3(7.5f, -0.9f, -1.2f);
     const Vec3 ear(0.92f * local.x + 0.39f * local.z, 0.98f * local.y - 0.2f * local.z,
                    0.92f * (local.z + 0.2f * local.y) - 0.39f * local.x);
-    const float shell = ellipsoid(ear, {0, 0, 0}, {0.62f, 2.9f, 1.75f});
-    return smooth_difference(shell, ellipsoid(ear, {0.75f, 0.1f, 0.1f}, {0.6f, 2.0f, 1.05f}), 0.4f);
+    const float shell = ellipsoid(ear, {0, 0, 0}, {0.55f, 2.7f, 1.55f}) - kEarRim;
+    return smooth_difference(shell, ellipsoid(ear, {0.85f, 0.1f, 0.1f}, {0.55f, 1.9f, 1.0f}), 0.5f);
 }
 
 float head_distance(const Vec3& p) {
     const Vec3 q = mirrored(p);
-    const float head = smooth_union(add_features(skull(q), q), ear_distance(p), 0.5f);
+    const float head = smooth_union(add_features(skull(q), q), ear_distance(p), 0.8f);
     return smooth_union(head, torso(q), 2.2f);
 }
 
