@@ -39,20 +39,20 @@ float skull(const Vec3& p) {
     float d = ellipsoid(p, {0, 3.1f, -1.3f}, {7.5f, 7.9f, 9.3f});
     d = smooth_union(d, ellipsoid(p, {0, -2.2f, 2.1f}, {5.9f, 7.4f, 6.1f}), 2.5f);
     d = smooth_union(d, cone(p, {4.4f, -4.4f, 0.2f}, {0.8f, -9.0f, 5.4f}, 1.6f, 1.6f), 3.0f);
-    return smooth_union(d, ellipsoid(p, {0, -9.3f, 6.6f}, {1.7f, 1.6f, 1.5f}), 2.2f);
+    return smooth_union(d, ellipsoid(p, {0, -9.3f, 6.4f}, {1.9f, 1.6f, 1.5f}), 2.4f);
 }
 
 float add_features(float d, const Vec3& p) {
-    d = smooth_union(d, cone(p, {1.1f, 2.2f, 7.3f}, {4.3f, 2.6f, 5.6f}, 0.5f, 0.4f), 2.4f);        // brow
-    d = smooth_union(d, ellipsoid(p, {3.6f, -2.6f, 5.1f}, {1.9f, 1.6f, 1.8f}), 2.6f);              // cheek
-    d = smooth_union(d, ellipsoid(p, {3.1f, -5.6f, 2.6f}, {2.3f, 3.0f, 3.0f}), 3.0f);              // lower cheek
-    d = smooth_difference(d, ellipsoid(p, {3.0f, 0.5f, 8.7f}, {1.9f, 1.1f, 1.7f}), 1.3f);          // eye socket
-    d = smooth_union(d, sphere(p, {3.0f, 0.35f, 5.95f}, 1.42f), 0.3f);                             // closed lid
-    d = smooth_union(d, cone(p, {0, 1.8f, 7.2f}, {0, -2.9f, 9.3f}, 0.6f, 0.85f), 1.3f);            // nose
-    d = smooth_union(d, ellipsoid(p, {0.85f, -3.2f, 8.3f}, {0.65f, 0.55f, 0.9f}), 0.8f);           // nostril
-    d = smooth_union(d, ellipsoid(p, {0, -6.2f, 6.0f}, {2.7f, 1.9f, 1.9f}), 1.6f);                 // mouth
-    d = smooth_union(d, cone(p, {0.3f, -5.8f, 8.0f}, {2.1f, -6.15f, 7.3f}, 0.38f, 0.3f), 0.35f);   // upper lip
-    d = smooth_union(d, cone(p, {0.2f, -6.7f, 7.95f}, {1.8f, -6.45f, 7.3f}, 0.45f, 0.3f), 0.25f);  // lower lip
+    d = smooth_union(d, cone(p, {1.1f, 2.2f, 7.3f}, {4.3f, 2.6f, 5.6f}, 0.5f, 0.4f), 2.4f);  // brow
+    d = smooth_union(d, ellipsoid(p, {3.6f, -2.6f, 5.1f}, {1.9f, 1.6f, 1.8f}), 2.6f);        // cheek
+    d = smooth_union(d, ellipsoid(p, {2.8f, -5.4f, 2.9f}, {2.3f, 2.8f, 3.0f}), 3.2f);        // lower cheek
+    d = smooth_difference(d, ellipsoid(p, {3.0f, 0.5f, 8.7f}, {1.9f, 1.1f, 1.7f}), 1.3f);    // eye socket
+    d = smooth_union(d, sphere(p, {3.0f, 0.35f, 5.95f}, 1.42f), 0.3f);                       // closed lid
+    d = smooth_union(d, cone(p, {0, 1.8f, 7.2f}, {0, -2.9f, 9.3f}, 0.6f, 0.85f), 1.3f);      // nose
+    d = smooth_union(d, ellipsoid(p, {0.85f, -3.2f, 8.3f}, {0.65f, 0.55f, 0.9f}), 0.8f);     // nostril
+    d = smooth_union(d, ellipsoid(p, {0, -6.2f, 6.0f}, {2.7f, 1.9f, 1.9f}), 1.6f);           // mouth
+    d = smooth_union(d, ellipsoid(p, {0.3f, -5.85f, 7.75f}, {1.9f, 0.42f, 0.65f}), 0.5f);    // upper lip
+    d = smooth_union(d, ellipsoid(p, {0, -6.7f, 7.7f}, {1.75f, 0.5f, 0.75f}), 0.3f);         // lower lip
     return d;
 }
 

@@ -57,9 +57,11 @@ struct SphereShape {
     DVec3 center{0};
     double radius = 1;
 };
+/// The bust of head.h, in cm.
+struct HeadShape {};
 
 struct MeshDescription {
-    std::variant<std::string, QuadShape, SphereShape> shape;  // a file's path, or a shape
+    std::variant<std::string, QuadShape, SphereShape, HeadShape> shape;  // a file's path, or a shape
     Placement placement;
     Rgb albedo{0.5f};
 };

@@ -140,9 +140,9 @@ SphereShape read_sphere(const JsonValue& object) {
 }
 
 MeshDescription read_mesh(const JsonValue& object, const std::string& folder) {
-    object.check_keys({"file", "quad", "sphere", "matrix", "albedo"});
+    object.check_keys({"file", "quad", "sphere", "head", "matrix", "albedo"});
     MeshDescription mesh;
-    const std::string kind = object.only_one_of({"file", "quad", "sphere"});
+    const std::string kind = object.only_one_of({"file", "quad", "sphere", "head"});
     if (kind == "file") mesh.shape = file_name(object.at("file"), folder);
     if (kind == "quad") mesh.shape = read_quad(object.at("quad"));
     if (kind == "sphere") mesh.shape = read_sphere(object.at("sphere"));
