@@ -6,8 +6,7 @@
 //                        the box of a part that was just cut at s, shrunk to what lies in it; false: nothing
 #pragma once
 
-#include <tbb/parallel_reduce.h>
-
+#include "accel/exact_node.h"
 #include "accel/grow.h"
 #include "accel/index_limit.h"
 #include "accel/reference_node.h"
@@ -37,8 +36,17 @@ KdTopology build_topology(const Primitives& primitives, const AccelOptions& opti
     ReferenceArray references = all_references(primitives);
     const Bounds box = bounds(references.span());
     const PendingNode root = root_node(box, primitives.size(), options);
-    tbb::enumerable_thread_specific<ReferenceScratch> scratch;
-    const auto tree = grow(LargeNode(primitives, std::move(references)), root, options, scratch);
+    std::unique_ptr<Subtree> tree;
+    if (options.split == SplitMethod::exact) {
+        tbb::enumerable_thread_specific<typename ExactNode<Primitives>::NoScratch> scratch;
+        const auto span = references.span();
+        std::vector<Reference> all(span.begin(), span.end());
+        references = {};
+        tree = grow(ExactNode(primitives, std::move(all)), root, options, scratch);
+    } else {
+        tbb::enumerable_thread_specific<ReferenceScratch> scratch;
+        tree = grow(LargeNode(primitives, std::move(references)), root, options, scratch);
+    }
     return join(*tree, box, index_limit);
 }
 
