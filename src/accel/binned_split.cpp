@@ -75,6 +75,28 @@ void count_all(std::span<const Reference> references, const Grid& grid, int bins
     total.add(odd, bins);
 }
 
+/// Candidates across one axis: first all counts, then all costs, then the least.
+void sweep_planes(const Counts& counts, int bins, const Grid& grid, size_t references, const AxisCost& cost,
+                  uint32_t axis, std::optional<Split>& best) {
+    std::array<float, kMaxBins> left, right, position, costs;
+    uint32_t begun = 0, ended = 0;
+    const size_t planes = size_t(bins) - 1;
+    for (size_t k = 0; k < planes; ++k) {
+        begun += counts.count[kFaces * k + axis];
+        ended += counts.count[kFaces * k + 3 + axis];
+        left[k] = float(begun);
+        right[k] = float(references - ended);
+    }
+    const float lo = grid.lo[int(axis)], step = grid.step[int(axis)];
+    for (size_t k = 0; k < planes; ++k) {
+        position[k] = lo + float(int(k) + 1) * step;
+        costs[k] = cost(position[k], left[k], right[k]);
+    }
+    for (size_t k = 0; k < planes; ++k)
+        if ((!best || costs[k] < best->cost) && cost.cuts(position[k]))
+            best = Split{axis, position[k], costs[k], uint32_t(left[k]), uint32_t(right[k])};
+}
+
 }  // namespace
 
 std::optional<Split> binned_split(std::span<const Reference> references, const Bounds& cell,
@@ -84,17 +106,9 @@ std::optional<Split> binned_split(std::span<const Reference> references, const B
     Counts counts;
     count_all(references, grid, bins, counts);
     std::optional<Split> best;
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-        if (grid.scale[axis] == 0) continue;
-        const AxisCost cost(options, cell, axis);
-        uint32_t left = 0, right = uint32_t(references.size());
-        for (int k = 1; k < bins; ++k) {
-            const uint32_t* bin = &counts.count[kFaces * size_t(k - 1)];
-            left += bin[axis];
-            right -= bin[3 + axis];
-            keep_cheaper(best, cost, axis, grid.lo[int(axis)] + float(k) * grid.step[int(axis)], left, right);
-        }
-    }
+    for (uint32_t axis = 0; axis < 3; ++axis)
+        if (grid.scale[axis] != 0)
+            sweep_planes(counts, bins, grid, references.size(), AxisCost(options, cell, axis), axis, best);
     return best;
 }
 

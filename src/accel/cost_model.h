@@ -37,10 +37,11 @@ public:
     /// Whether a cut at `s` leaves both sides some floats, in a cell that has an area.
     bool cuts(float s) const { return s > lo_ && s <= hi_ && inverse_area_ > 0; }
 
-    float operator()(float s, uint32_t left, uint32_t right) const {
-        const float tests = half_area(s - lo_) * float(left) + half_area(hi_ - s) * float(right);
+    /// Counts as floats, so that many candidates are computed as vectors.
+    float operator()(float s, float left, float right) const {
+        const float tests = half_area(s - lo_) * left + half_area(hi_ - s) * right;
         const float cost = traversal_ + tests * inverse_area_;
-        return left == 0 || right == 0 ? full_ * cost : cost;
+        return (left == 0) | (right == 0) ? full_ * cost : cost;
     }
 
 private:
@@ -52,7 +53,7 @@ private:
 inline void keep_cheaper(std::optional<Split>& best, const AxisCost& cost, uint32_t axis, float s, uint32_t left,
                          uint32_t right) {
     if (!cost.cuts(s)) return;
-    const float c = cost(s, left, right);
+    const float c = cost(s, float(left), float(right));
     if (!best || c < best->cost) best = Split{axis, s, c, left, right};
 }
 

@@ -20,7 +20,7 @@ std::optional<Split> split_at(std::span<const Reference> references, const Bound
         left += r.lo[int(axis)] < s;
         right += r.hi[int(axis)] >= s;
     }
-    return Split{axis, s, cost(s, left, right), left, right};
+    return Split{axis, s, cost(s, float(left), float(right)), left, right};
 }
 
 }  // namespace

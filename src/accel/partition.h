@@ -53,35 +53,44 @@ struct Cut {
 /// they get.
 template <class Primitives>
 void partition(std::span<const Reference> references, const Cut<Primitives>& cut, Reference*& left, Reference*& right) {
+    Reference *l = left, *r = right;
     for (const Reference& reference : references) {
-        const Reference r = reference;
-        const bool goes_left = cut.goes_left(r), goes_right = cut.goes_right(r);
-        *left = r;
-        *right = r;
+        const bool goes_left = cut.goes_left(reference), goes_right = cut.goes_right(reference);
+        *r = reference;
+        *l = *r;  // last: `reference` may be there
         if (goes_left && goes_right) {
-            left += cut.left_part(*left);
-            right += cut.right_part(*right);
+            l += cut.left_part(*l);
+            r += cut.right_part(*r);
         } else {  // no branch: which side is as good as random
-            left += goes_left;
-            right += goes_right;
+            l += goes_left;
+            r += goes_right;
         }
     }
+    left = l;
+    right = r;
 }
+
+/// How many references either side gets.
+struct PartCount {
+    size_t left = 0, right = 0;
+};
 
 /// Counts what partition would write.
 template <class Primitives>
-void count_parts(std::span<const Reference> references, const Cut<Primitives>& cut, size_t& left, size_t& right) {
+PartCount count_parts(std::span<const Reference> references, const Cut<Primitives>& cut) {
+    PartCount count;
     for (const Reference& r : references) {
         const bool goes_left = cut.goes_left(r), goes_right = cut.goes_right(r);
         if (goes_left && goes_right) {
             Reference left_part = r, right_part = r;
-            left += cut.left_part(left_part);
-            right += cut.right_part(right_part);
+            count.left += cut.left_part(left_part);
+            count.right += cut.right_part(right_part);
         } else {
-            left += goes_left;
-            right += goes_right;
+            count.left += goes_left;
+            count.right += goes_right;
         }
     }
+    return count;
 }
 
 struct ReferencePair {
@@ -96,20 +105,28 @@ ReferencePair parallel_partition(std::span<const Reference> references, const Cu
     const auto chunk = [&](size_t i) {
         return references.subspan(i * kChunk, std::min(kChunk, references.size() - i * kChunk));
     };
-    std::vector<size_t> left(chunks + 1), right(chunks + 1);  // first of each chunk, after the sums below
-    tbb::parallel_for(size_t(0), chunks, [&](size_t i) { count_parts(chunk(i), cut, left[i + 1], right[i + 1]); });
-    for (size_t i = 0; i < chunks; ++i) left[i + 1] += left[i], right[i + 1] += right[i];
-    ReferencePair pair{ReferenceArray(left[chunks]), ReferenceArray(right[chunks])};
+    std::vector<PartCount> first(chunks + 1);  // of each chunk, after the sums below
+    tbb::parallel_for(size_t(0), chunks, [&](size_t i) { first[i + 1] = count_parts(chunk(i), cut); });
+    for (size_t i = 0; i < chunks; ++i) {
+        first[i + 1].left += first[i].left;
+        first[i + 1].right += first[i].right;
+    }
+    ReferencePair pair{ReferenceArray(first[chunks].left), ReferenceArray(first[chunks].right)};
     tbb::parallel_for(size_t(0), chunks, [&](size_t i) {
         // Not `partition`: it writes one past the end, which here is another chunk's.
-        Reference *l = pair.left.data.get() + left[i], *r = pair.right.data.get() + right[i];
+        Reference *left = pair.left.data.get() + first[i].left, *right = pair.right.data.get() + first[i].right;
         for (const Reference& reference : chunk(i)) {
             const bool goes_left = cut.goes_left(reference), goes_right = cut.goes_right(reference);
-            const bool both = goes_left && goes_right;
-            Reference part = reference;
-            if (goes_left && (!both || cut.left_part(part))) *l++ = part;
-            part = reference;
-            if (goes_right && (!both || cut.right_part(part))) *r++ = part;
+            if (goes_left && goes_right) {
+                Reference part = reference;
+                if (cut.left_part(part)) *left++ = part;
+                part = reference;
+                if (cut.right_part(part)) *right++ = part;
+            } else if (goes_left) {
+                *left++ = reference;
+            } else {
+                *right++ = reference;
+            }
         }
     });
     return pair;
