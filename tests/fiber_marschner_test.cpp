@@ -50,8 +50,8 @@ TEST_CASE("azimuthal functions integrate to the energy of their lobe over the fi
                 CHECK(tt.around == doctest::Approx(tt.exact).epsilon(2e-3));  // 20000 midpoints against a steep edge
                 const Energies trt = energies(
                     section, sigma_a, 2, [&](double phi) { return double(azimuthal_trt(section, sigma, phi, 0.2).x); });
-                // Caustics are replaced by bells of only about their energy.
-                CHECK(trt.around > 0.6 * trt.exact);
+                // Caustics are replaced by bells of only about their energy; least where the two nearly meet (1.9).
+                CHECK(trt.around > 0.5 * trt.exact);
                 CHECK(trt.around < 1.4 * trt.exact);
             }
 }
@@ -86,7 +86,8 @@ TEST_CASE("caustics are finite, at every index and on a fine grid of azimuths") 
 
 TEST_CASE("the energy that the far field scatters is finite and within its range") {
     // White light, no absorption. Less than 1: paths past TRT are left out, and wide lobes are cut at the poles.
-    // More than 1: near grazing cos(theta_i) / cos^2(theta_d) outgrows the light that comes in, at most fourfold.
+    // More than 1: near grazing cos(theta_i) / cos^2(theta_d) outgrows the light that comes in: fourfold at a
+    // lobe's peak, of which little is left after R's share and the lobe's width.
     for (const float beta_m : {0.0f, 0.1f, 0.3f, 0.6f, 1.0f}) {
         const Fiber fiber = fiber_of(beta_m, 0.3f, FiberModel::marschner);
         for (const double theta : {0.0, 0.5, 1.0, 1.3, 1.5}) {
@@ -96,8 +97,8 @@ TEST_CASE("the energy that the far field scatters is finite and within its range
                               << albedo.forward.x);
             CAPTURE(beta_m);
             CAPTURE(theta);
-            CHECK(energy > 0.1);
-            CHECK(energy < 4);
+            CHECK(energy > 0.2);
+            CHECK(energy < 1.1);
         }
     }
 }

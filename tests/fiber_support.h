@@ -40,7 +40,7 @@ inline std::vector<QuadratureNode> graded_nodes(double lo, double hi, const std:
     std::vector<double> edges{lo, hi};
     for (const double peak : peaks) {
         edges.push_back(std::clamp(peak, lo, hi));
-        for (double step = width; step < hi - lo; step *= 2) {
+        for (double step = width; step < 2 * (hi - lo); step *= 2) {
             edges.push_back(std::clamp(peak - step, lo, hi));
             edges.push_back(std::clamp(peak + step, lo, hi));
         }
@@ -64,13 +64,16 @@ struct SphereNodes {
 inline SphereNodes sphere_nodes(const Fiber& fiber, double theta_o, double phi_o, double h) {
     const double eta = double(fiber.parameters.eta);
     const double cosine = std::max(std::cos(theta_o), 1e-9);
-    const double bravais = std::sqrt(cosine * cosine + eta * eta - 1) / cosine;
+    const double bravais = std::sqrt(cosine * cosine + (eta * eta - 1)) / cosine;
     std::vector<double> azimuths, inclinations;
     for (int p = 0; p < 3; ++p) {
         const double turn = 2 * std::asin(h) + p * (kPiD - 2 * std::asin(h / bravais));
-        azimuths.push_back(std::remainder(phi_o + turn, 2 * kPiD));
-        inclinations.push_back(double(fiber.shift[p]) - theta_o);
+        const double azimuth = std::remainder(phi_o + turn, 2 * kPiD);
+        for (const double whole_turn : {-2 * kPiD, 0.0, 2 * kPiD})
+            if (std::abs(azimuth + whole_turn) < 1.5 * kPiD) azimuths.push_back(azimuth + whole_turn);
     }
+    for (const float shift : fiber.shift)
+        inclinations.push_back(std::asin(std::sin(double(shift) - theta_o)));  // folded at the poles
     const double width = std::sqrt(double(fiber.longitudinal[Fiber::kTransmitted].variance));
     const auto thetas = graded_nodes(-kPiD / 2, kPiD / 2, inclinations, std::min(width, 0.5));
     const auto phis = graded_nodes(-kPiD, kPiD, azimuths, std::min(2 * double(fiber.azimuthal.scale), 0.5));

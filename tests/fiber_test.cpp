@@ -221,7 +221,7 @@ TEST_CASE("f keeps its value when light is reversed, exactly where only sharp ge
         CHECK(f[2] == doctest::Approx(f[3]).epsilon(1e-3));  // |theta_i| = |theta_o|
     }
     MESSAGE("mean asymmetry of f |cos theta|, averaged over h: " << difference / total);
-    CHECK(difference / total < 0.05);
+    CHECK(difference / total < 0.08);  // as stated in core/fiber.h
 }
 
 TEST_CASE("nothing is infinite, negative or not a number, to the exact ends of every range") {

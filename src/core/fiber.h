@@ -47,6 +47,8 @@ struct Fiber {
 Fiber make_fiber(const FiberParameters& parameters);
 
 /// Both parts of f * |cos theta_i|. The cosine is included because f alone is infinite at grazing wi.
+/// Reversing the light keeps f * |cos theta_i|, averaged over h, where alpha = 0 and |theta_i| = |theta_o| or eta = 1;
+/// elsewhere it differs, at the default roughness by less than 8 % of the sum of both, on average (chiang).
 struct FiberScattering {
     Rgb forward{0};    // f_F |cos theta_i|
     Rgb reflected{0};  // f_R |cos theta_i|

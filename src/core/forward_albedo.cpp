@@ -16,7 +16,10 @@ constexpr int kOffsets = 32;       // over gamma in [0, pi / 2], h = sin(gamma):
 constexpr int kInclinations = 32;  // of wi
 constexpr double kReach = 7;       // standard deviations of the Gaussian that are integrated
 
-std::vector<QuadratureNode> offsets() { return gauss_legendre(kOffsets, 0, std::numbers::pi / 2); }
+const std::vector<QuadratureNode>& offsets() {
+    static const std::vector<QuadratureNode> nodes = gauss_legendre(kOffsets, 0, std::numbers::pi / 2);
+    return nodes;
+}
 
 ForwardPaths chiang_paths(const Fiber& fiber, double sin_theta) {
     ForwardPaths paths;
@@ -34,7 +37,7 @@ ForwardPaths chiang_paths(const Fiber& fiber, double sin_theta) {
 /// Over the inclinations of wi as well: theta_d, and with it the cross-section, differs along the lobe.
 ForwardPaths marschner_paths(const Fiber& fiber, double sin_theta) {
     ForwardPaths paths;
-    const std::vector<QuadratureNode> gammas = offsets();
+    const std::vector<QuadratureNode>& gammas = offsets();
     const double theta_o = std::asin(std::clamp(sin_theta, -1.0, 1.0));
     const double middle = double(fiber.shift[Fiber::kTransmitted]) - theta_o;
     const double reach = kReach * std::sqrt(double(fiber.longitudinal[Fiber::kTransmitted].variance));

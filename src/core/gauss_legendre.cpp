@@ -25,7 +25,7 @@ Legendre legendre(int n, double x) {
 }  // namespace
 
 std::vector<QuadratureNode> gauss_legendre(int count, double lo, double hi) {
-    constexpr int kNewtonSteps = 6;  // from the guess below, three reach double precision
+    constexpr int kNewtonSteps = 4;  // from the guess below, three reach double precision
     std::vector<QuadratureNode> nodes;
     nodes.reserve(size_t(count));
     for (int i = 0; i < count; ++i) {
