@@ -20,9 +20,9 @@ struct TablePlace {
     float fraction;
 };
 
-/// `position` in [0, 1] among `entries`.
+/// `position` in [0, 1] among `entries`; what is no number falls on the first.
 inline TablePlace table_place(float position, int entries) {
-    const float scaled = position * float(entries - 1);
+    const float scaled = position > 0 ? position * float(entries - 1) : 0;
     const int first = glm::min(int(scaled), entries - 2);
     return {first, scaled - float(first)};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The azimuthal lobe: a logistic cut to [-pi, pi] and normalised there (Chiang et al. 2016, sec. 4.1).
+// The azimuthal lobe: a logistic cut to [-pi, pi] and normalised there (Chiang et al. 2016).
 #pragma once
 
 #include <numbers>

@@ -19,12 +19,12 @@ void check(const char* name, float value, float lowest, float highest) {
     throw InputError(std::string("fiber.") + name, problem.str());
 }
 
-/// Longitudinal variance of R (Chiang et al. 2016, eq. 7).
+/// Longitudinal variance of R (Chiang et al. 2016).
 double variance_of(double beta_m) {
     return square(0.726 * beta_m + 0.812 * beta_m * beta_m + 3.7 * std::pow(beta_m, 20));
 }
 
-/// Scale of the logistic (Chiang et al. 2016, eq. 8; sqrt(pi / 8) turns a Gaussian's width into a logistic's).
+/// Scale of the logistic (Chiang et al. 2016; sqrt(pi / 8) turns a Gaussian's width into a logistic's).
 double scale_of(double beta_n) {
     return std::sqrt(std::numbers::pi / 8) * (0.265 * beta_n + 1.194 * beta_n * beta_n + 5.372 * std::pow(beta_n, 22));
 }
@@ -48,7 +48,7 @@ Fiber make_fiber(const FiberParameters& parameters) {
     // TT is half and TRT twice as wide as R (Marschner et al. 2003, table 1); the rest is as TRT.
     constexpr double kWidening[Fiber::kLobes] = {1, 0.25, 4, 4};
     // Of theta_i + theta_o in tilts. Scales open to the tip, so that R turns to the root.
-    constexpr double kNearShift[Fiber::kLobes] = {-2, 1, 4, 0};  // d'Eon et al. 2011, sec. 5.1
+    constexpr double kNearShift[Fiber::kLobes] = {-2, 1, 4, 0};  // d'Eon et al. 2011
     constexpr double kFarShift[Fiber::kLobes] = {-2, 1, 3, 0};   // Marschner et al. 2003, table 1, doubled: theta_h
     const bool near_field = parameters.model == FiberModel::chiang;
 
@@ -77,15 +77,17 @@ void evaluate(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, s
     });
 }
 
+FiberSample evaluate_with_pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h) {
+    return with_point(fiber, sigma_a, wo, h, [&](const auto& point) { return evaluate_with_pdf(fiber, point, wi); });
+}
+
 FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u) {
-    return with_point(fiber, sigma_a, wo, h, [&](const auto& point) {
-        const Vec3 wi = sample(fiber, point, u);
-        return FiberSample{wi, pdf(fiber, point, wi), evaluate(fiber, point, wi)};
-    });
+    return with_point(fiber, sigma_a, wo, h,
+                      [&](const auto& point) { return evaluate_with_pdf(fiber, point, sample(fiber, point, u)); });
 }
 
 float pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h) {
-    return with_point(fiber, sigma_a, wo, h, [&](const auto& point) { return pdf(fiber, point, wi); });
+    return evaluate_with_pdf(fiber, sigma_a, wo, wi, h).pdf;
 }
 
 }  // namespace tress

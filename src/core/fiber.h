@@ -70,6 +70,8 @@ struct FiberSample {
 FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u);
 /// The density with which `sample` chooses wi.
 float pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h);
+/// Both at once, for little more than one of them: what `sample` would say had it drawn wi.
+FiberSample evaluate_with_pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h);
 
 /// Albedo of the TT lobe for light that arrives at inclination theta, averaged over h: the a_k of the straight-through
 /// model. By quadrature; renderers use the table of attenuation.h.

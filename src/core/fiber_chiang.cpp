@@ -30,6 +30,21 @@ Lobes lobe_densities(const Fiber& fiber, const ChiangPoint& point, const Vec3& w
     return lobes;
 }
 
+FiberScattering sum_lobes(const ChiangPoint& point, const Lobes& lobes) {
+    FiberScattering value;
+    for (int p = 0; p < kLobes; ++p) {
+        Rgb& part = p == Fiber::kTransmitted ? value.forward : value.reflected;
+        part += lobes.density[p] * point.energy[p];
+    }
+    return value;
+}
+
+/// Into [-pi, pi] by whole turns.
+double folded(double angle) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    return angle - kTurn * std::floor(angle / kTurn + 0.5);
+}
+
 }  // namespace
 
 ChiangPoint make_chiang_point(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h) {
@@ -48,7 +63,7 @@ ChiangPoint make_chiang_point(const Fiber& fiber, const Rgb& sigma_a, const Vec3
     const double phi_o = std::atan2(double(wo.z), double(wo.y));
     for (int p = 0; p < kDirected; ++p) {
         const double turn = 2 * gamma_o + p * (std::numbers::pi - 2 * gamma_t);
-        point.azimuth[p] = float(std::remainder(phi_o + turn, 2 * std::numbers::pi));
+        point.azimuth[p] = float(folded(phi_o + turn));
     }
 
     const double reflectance = fresnel(eta, cos_theta * safe_sqrt(1 - offset * offset));
@@ -62,20 +77,14 @@ ChiangPoint make_chiang_point(const Fiber& fiber, const Rgb& sigma_a, const Vec3
 }
 
 FiberScattering evaluate(const Fiber& fiber, const ChiangPoint& point, const Vec3& wi) {
-    const Lobes lobes = lobe_densities(fiber, point, wi);
-    FiberScattering value;
-    for (int p = 0; p < kLobes; ++p) {
-        Rgb& part = p == Fiber::kTransmitted ? value.forward : value.reflected;
-        part += lobes.density[p] * point.energy[p];
-    }
-    return value;
+    return sum_lobes(point, lobe_densities(fiber, point, wi));
 }
 
-float pdf(const Fiber& fiber, const ChiangPoint& point, const Vec3& wi) {
+FiberSample evaluate_with_pdf(const Fiber& fiber, const ChiangPoint& point, const Vec3& wi) {
     const Lobes lobes = lobe_densities(fiber, point, wi);
-    float density = 0;
-    for (int p = 0; p < kLobes; ++p) density += point.share[p] * lobes.density[p];
-    return density;
+    float pdf = 0;
+    for (int p = 0; p < kLobes; ++p) pdf += point.share[p] * lobes.density[p];
+    return {wi, pdf, sum_lobes(point, lobes)};
 }
 
 Vec3 sample(const Fiber& fiber, const ChiangPoint& point, const glm::vec4& u) {

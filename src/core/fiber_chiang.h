@@ -17,7 +17,7 @@ struct ChiangPoint {
 ChiangPoint make_chiang_point(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h);
 
 FiberScattering evaluate(const Fiber& fiber, const ChiangPoint& point, const Vec3& wi);
-float pdf(const Fiber& fiber, const ChiangPoint& point, const Vec3& wi);
+FiberSample evaluate_with_pdf(const Fiber& fiber, const ChiangPoint& point, const Vec3& wi);
 Vec3 sample(const Fiber& fiber, const ChiangPoint& point, const glm::vec4& u);
 
 }  // namespace tress

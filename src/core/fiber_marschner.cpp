@@ -101,14 +101,13 @@ FiberScattering evaluate(const Fiber& fiber, const MarschnerPoint& point, const 
     return value;
 }
 
-float pdf(const Fiber& fiber, const MarschnerPoint& point, const Vec3& wi) {
+FiberSample evaluate_with_pdf(const Fiber& fiber, const MarschnerPoint& point, const Vec3& wi) {
     const SinCos i = inclination_of(wi);
     const float phi = wrap_angle(std::atan2(wi.z, wi.y) - point.phi);
-    float density = 0;
+    float pdf = 0;
     for (int p = 0; p < kDirected; ++p)
-        density +=
-            point.share[p] * longitudinal(fiber.longitudinal[p], i, point.inclination[p]) * azimuth_density(p, phi);
-    return density;
+        pdf += point.share[p] * longitudinal(fiber.longitudinal[p], i, point.inclination[p]) * azimuth_density(p, phi);
+    return {wi, pdf, evaluate(fiber, point, wi)};
 }
 
 Vec3 sample(const Fiber& fiber, const MarschnerPoint& point, const glm::vec4& u) {

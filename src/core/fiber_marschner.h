@@ -20,7 +20,7 @@ struct MarschnerPoint {
 MarschnerPoint make_marschner_point(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo);
 
 FiberScattering evaluate(const Fiber& fiber, const MarschnerPoint& point, const Vec3& wi);
-float pdf(const Fiber& fiber, const MarschnerPoint& point, const Vec3& wi);
+FiberSample evaluate_with_pdf(const Fiber& fiber, const MarschnerPoint& point, const Vec3& wi);
 Vec3 sample(const Fiber& fiber, const MarschnerPoint& point, const glm::vec4& u);
 
 /// M_p cos(theta_i) / cos^2(theta_d): what inclinations alone say of f |cos theta_i|.

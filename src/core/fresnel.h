@@ -18,9 +18,8 @@ inline double fresnel(double eta, double cos_i) {
 /// What inclination alone decides of a path inside: the bend of the ray's projection, and how much longer than it
 /// the ray is.
 struct Inclination {
-    double
-        bravais;   // eta' = sqrt(eta^2 - sin^2) / cos (Marschner et al. 2003, sec. 4): Snell's index of the projection
-    double cos_t;  // of the inclination inside
+    double bravais;  // eta' = sqrt(eta^2 - sin^2) / cos (Marschner et al. 2003): Snell's index of the projection
+    double cos_t;    // of the inclination inside
 };
 
 inline Inclination refract_inclination(double eta, double cos_theta) {

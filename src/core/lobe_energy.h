@@ -6,8 +6,8 @@
 
 namespace tress {
 
-/// A_p of one channel: F, (1 - F)^2 T, (1 - F)^2 T^2 F, and the geometric series of all the rest (Chiang et al. 2016,
-/// sec. 4.3). F: reflectance; T: what one crossing of the inside transmits.
+/// A_p of one channel: F, (1 - F)^2 T, (1 - F)^2 T^2 F, and the geometric series of all the rest (Chiang et al. 2016).
+/// F: reflectance; T: what one crossing of the inside transmits.
 struct LobeEnergy {
     double of[Fiber::kLobes];
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The longitudinal scattering function M of d'Eon et al. 2011, eq. 7: integral of M cos(theta_i) dtheta_i = 1 for any
+// The longitudinal scattering function M of d'Eon et al. 2011: integral of M cos(theta_i) dtheta_i = 1 for any
 // theta_o and variance v. Rearranged so that no factor overflows: with a = cos(theta_i) cos(theta_o) / v,
 //     M = exp(-2 sin^2((theta_i + theta_o) / 2) / v) I0(a) exp(-a) / (v (1 - exp(-2 / v))).
 // Inclinations come as sine and cosine, and 4 sin^2(half their sum) as a squared chord: angles are never formed.
@@ -35,26 +35,31 @@ inline LongitudinalLobe make_longitudinal(double variance) {
     return {float(v), float(1 / v), float(-1 / (v * std::expm1(-2 / v)))};
 }
 
-/// I0(x) exp(-x) for x >= 0 (Abramowitz & Stegun 1964, 9.8.1 and 9.8.2; relative error below 5e-7).
-inline float scaled_bessel_i0(float x) {
+/// I0(x) exp(-x) = factor exp(exponent), so that a caller who has an exponential to take takes just one.
+struct ScaledBessel {
+    float factor, exponent;
+};
+
+/// For x >= 0 (Abramowitz & Stegun 1964, 9.8.1 and 9.8.2; relative error below 5e-7).
+inline ScaledBessel scaled_bessel_i0(float x) {
     constexpr float kJoint = 3.75f;
     if (x < kJoint) {
         const float t = square(x / kJoint);
         const float series =
             1 + t * (3.5156229f +
                      t * (3.0899424f + t * (1.2067492f + t * (0.2659732f + t * (0.0360768f + t * 0.0045813f)))));
-        return series * std::exp(-x);
+        return {series, -x};
     }
     const float t = kJoint / x;
     const float low = 0.39894228f + t * (0.01328592f + t * (0.00225319f + t * (-0.00157565f + t * 0.00916281f)));
     const float high = -0.02057706f + t * (0.02635537f + t * (-0.01647633f + t * 0.00392377f));
-    return (low + square(square(t)) * t * high) / std::sqrt(x);
+    return {(low + square(square(t)) * t * high) / std::sqrt(x), 0};
 }
 
 inline float longitudinal(const LongitudinalLobe& lobe, const SinCos& i, const SinCos& o) {
     const float chord2 = square(i.cos - o.cos) + square(i.sin + o.sin);
-    const float a = i.cos * o.cos * lobe.inverse;
-    return std::exp(-0.5f * chord2 * lobe.inverse) * scaled_bessel_i0(a) * lobe.normalization;
+    const ScaledBessel bessel = scaled_bessel_i0(i.cos * o.cos * lobe.inverse);
+    return std::exp(bessel.exponent - 0.5f * chord2 * lobe.inverse) * bessel.factor * lobe.normalization;
 }
 
 /// Inclination with density M cos(theta_i), exactly (d'Eon et al. 2013): M is a von Mises-Fisher lobe about the mirror

@@ -23,12 +23,17 @@ constexpr double kGlintSpan = 0.5;   // Delta h_M
 constexpr double kFadeIndex = 0.2;   // Delta eta': over which the merged caustic fades
 constexpr double kMergingIndex = 2;  // eta' at which the two caustics of TRT meet
 
-/// phi - p pi = a gamma - b gamma^3: where light that entered at gamma leaves after p chords (eq. 10).
+/// phi - p pi = a gamma - b gamma^3: where light that entered at gamma leaves after p chords (eq. 10 of the paper).
 struct Exit {
     double a, b;
 
     double at(double gamma) const { return gamma * (a - b * gamma * gamma); }
     double slope(double gamma) const { return a - 3 * b * gamma * gamma; }
+    /// Largest |phi - p pi| reached: at the rim or at the fold.
+    double reach() const {
+        const double fold = a > 0 ? std::min(std::sqrt(a / (3 * b)), kPiD / 2) : 0;
+        return std::max(std::abs(at(kPiD / 2)), std::abs(at(fold)));
+    }
 };
 
 Exit make_exit(const CrossSection& section, int p) {
@@ -47,11 +52,13 @@ Rgb energy_at(const CrossSection& section, const Rgb& sigma_a, int p, double gam
     return energy;
 }
 
-/// Sum over the paths that leave at `turn` = phi - p pi, and at its whole turns (eq. 8).
+/// Sum over the paths that leave at `turn` = phi - p pi, and whole turns from it.
 Rgb sum_paths(const CrossSection& section, const Rgb& sigma_a, int p, double turn) {
     const Exit exit = make_exit(section, p);
+    const double reach = exit.reach();
     Rgb sum(0);
     for (int k = -1; k <= 1; ++k) {
+        if (std::abs(turn + 2 * kPiD * k) > reach) continue;
         const CubicRoots roots = solve_depressed_cubic(exit.a, exit.b, turn + 2 * kPiD * k);
         for (int i = 0; i < roots.count; ++i) {
             const double gamma = roots.root[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The azimuthal functions N_p of Marschner et al. 2003, sec. 5.2: light spread over the whole width of the fiber.
+// The azimuthal functions N_p of Marschner et al. 2003: light spread over the whole width of the fiber.
 // Integral of N_p over phi = the energy A_p averaged over h in [-1, 1].
 #pragma once
 
