@@ -11,6 +11,8 @@ namespace {
 
 /// Where padding lanes lie: far from any scene, yet near enough that squares of it are finite.
 constexpr float kFarAway = 1e18f;
+/// Where padding segments lie: every comparison with it fails, so that no test passes it on.
+constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
 
 template <class Primitives, class Source>
 KdTree build_tree(const Source& source, const DVec3& origin, const AccelOptions& options, uint32_t index_limit,
@@ -40,7 +42,7 @@ LeafBlocks pack_segments(const SegmentPrimitives& segments, KdTopology& topology
         if (varying) lane[row::radius_slope] = float(double(s.end_radius) - s.start_radius);
     };
     const auto pad = [](const Lane& lane) {  // the rest is 0: no length, no radius
-        lane[row::x] = lane[row::y] = lane[row::z] = kFarAway;
+        lane[row::x] = lane[row::y] = lane[row::z] = kNowhere;
         lane.set_id(row::id, kNone);
     };
     return pack_leaves(topology, varying ? row::kVaryingRadius : row::kConstantRadius, index_limit, write, pad);
@@ -60,14 +62,33 @@ LeafBlocks pack_triangles(const TrianglePrimitives& triangles, KdTopology& topol
     return pack_leaves(topology, row::kRows, index_limit, write, pad);
 }
 
+float longest(const SegmentView& segments) {
+    double squared = 0;
+    for (size_t i = 0; i < segments.size(); ++i) {
+        const DVec3 axis = DVec3(segments.end(i)) - DVec3(segments.start(i));
+        squared = std::max(squared, dot(axis, axis));
+    }
+    constexpr double kRoundedUp = 1 + 1e-6;  // ends are rounded again about the tree's origin
+    return float(kRoundedUp * std::sqrt(squared));
+}
+
+/// A middle with few digits: what has a float's digits keeps nearly all of them when it is subtracted.
+DVec3 round_middle(const DBounds& box) {
+    constexpr double kSteps = 64;  // of the longest side
+    const double grid =
+        std::exp2(std::floor(std::log2(glm::max(box.extent().x, glm::max(box.extent().y, box.extent().z)) / kSteps)));
+    return grid > 0 && std::isfinite(grid) ? glm::round(box.center() / grid) * grid : box.center();
+}
+
 }  // namespace
 
 KdTree build_segment_tree(const SegmentView& segments, const AccelOptions& options, uint32_t index_limit) {
     if (segments.size() == 0) return {};
     const Bounds box = bounds(segments);
-    const DVec3 middle = 0.5 * (DVec3(box.lo) + DVec3(box.hi));
+    const DVec3 middle = round_middle({DVec3(box.lo), DVec3(box.hi)});
     KdTree tree = build_tree<SegmentPrimitives>(segments, middle, options, index_limit, pack_segments);
     tree.open_ends = segments.linked;
+    tree.longest_segment = longest(segments);
     return tree;
 }
 
