@@ -1,2 +1,57 @@
 // SPDX-License-Identifier: MIT
-int main() { return 2; }
+// The tress command: one subcommand a file. Exit code 0: done; 2: bad usage or bad input, said in one line.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
+
+#include "core/error.h"
+#include "tools/compare.h"
+#include "tools/groom.h"
+#include "tools/info.h"
+#include "tools/plan.h"
+#include "tools/render.h"
+#include "tools/trace.h"
+
+namespace {
+
+constexpr int kBadInput = 2, kInternal = 1;
+
+int fail(int code, const std::string& message) {
+    std::fprintf(stderr, "tress: %s\n", message.substr(0, message.find('\n')).c_str());
+    return code;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Renders hair with global illumination on any CPU.", "tress");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", TRESS_VERSION);
+    app.failure_message([](const CLI::App*, const CLI::Error& error) { return std::string(error.what()); });
+    tress::add_render_command(app);
+    tress::add_plan_command(app);
+    tress::add_info_command(app);
+    tress::add_groom_command(app);
+    tress::add_compare_command(app);
+    tress::add_trace_command(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+        return app.exit(help_or_version);
+    } catch (const CLI::ParseError& error) {
+        return fail(kBadInput, error.what());
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const tress::InputError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(kInternal, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(kInternal, std::string("internal error: ") + error.what());
+    }
+}

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/groom.h"
+#include "core/head.h"
 #include "core/rng.h"
 #include "io/exr_file.h"
 #include "io/mesh_file.h"
@@ -109,6 +110,7 @@ PlacedMesh load_mesh(const MeshDescription& mesh) {
         return {quad_mesh(*quad), moved_first(quad->corner[0], mesh.placement), mesh.albedo};
     if (const auto* sphere = std::get_if<SphereShape>(&mesh.shape))
         return {sphere_mesh(sphere->radius), moved_first(sphere->center, mesh.placement), mesh.albedo};
+    if (std::holds_alternative<HeadShape>(mesh.shape)) return {make_head(), mesh.placement, mesh.albedo};
     return {read_mesh_file(std::get<std::string>(mesh.shape)), mesh.placement, mesh.albedo};
 }
 

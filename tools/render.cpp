@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "tools/render.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "accel/queries.h"
+#include "core/error.h"
+#include "core/tone_map.h"
+#include "gather/render.h"
+#include "io/exr_file.h"
+#include "io/load_scene.h"
+#include "io/png_file.h"
+#include "io/whole_file.h"
+#include "tools/progress.h"
+#include "tools/render_stats.h"
+#include "tools/scene_arguments.h"
+
+namespace tress {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+struct RenderArguments {
+    SceneArguments scene;
+    std::string output, stats;
+    bool quiet = false;
+};
+
+constexpr int kPasses = 50, kLongestPass = 8;  // progress shows at least this often; more samples a pass help caches
+
+std::string png_path(const std::string& exr) { return std::filesystem::path(exr).replace_extension(".png").string(); }
+
+void check_outputs(const RenderArguments& arguments) {
+    if (std::filesystem::path(arguments.output).extension() != ".exr")
+        throw InputError(arguments.output, "expected a name that ends in .exr");
+    check_writable(arguments.output);
+    check_writable(png_path(arguments.output));
+    if (!arguments.stats.empty()) check_writable(arguments.stats);
+}
+
+/// All samples, or as many passes as begin before the time is up.
+void render_passes(RenderState& state, const Scene& scene, const PreparedScene& prepared, const Plan& plan,
+                   const Options& options, bool quiet) {
+    Progress progress("render", quiet);
+    const int longest = std::clamp(options.spp / kPasses, 1, kLongestPass);
+    while (state.samples < options.spp && (options.time == 0 || state.seconds < options.time || state.samples == 0)) {
+        advance(state, scene, prepared, plan, options, std::min(longest, options.spp - state.samples));
+        const double by_samples = double(state.samples) / options.spp;
+        const double by_time = options.time > 0 ? state.seconds / options.time : 0;
+        progress.update(std::max(by_samples, by_time), std::to_string(state.samples) + " spp");
+    }
+    char note[80];
+    std::snprintf(note, sizeof note, "%d spp in %.2f s", state.samples, state.seconds);
+    progress.finish(note);
+}
+
+Image display_image(const LayeredImage& picture, float exposure) {
+    Image image = make_image(picture.width, picture.height);
+    const std::vector<float>& rgba = picture.layers.front().data;
+    for (size_t i = 0; i < image.pixel.size(); ++i)
+        image.pixel[i] = tone_map({rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]}, exposure);
+    return image;
+}
+
+void add_metadata(LayeredImage& picture, const RenderStats& stats, Options options) {
+    picture.metadata.emplace_back("tress.version", TRESS_VERSION);
+    picture.metadata.emplace_back("tress.samples", std::to_string(stats.spp));
+    picture.metadata.emplace_back("tress.seconds.build", std::to_string(stats.build_seconds));
+    picture.metadata.emplace_back("tress.seconds.render", std::to_string(stats.render_seconds));
+    for (const OptionField& field : option_fields(options))
+        picture.metadata.emplace_back("tress.options." + field.key, option_text(field));
+}
+
+void run(const RenderArguments& arguments) {
+    const auto start = Clock::now();
+    const SceneDescription description = describe(arguments.scene);
+    const Options& options = description.options;
+    check_outputs(arguments);
+    const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, size_t(threads));
+
+    RenderStats stats;
+    const LoadedScene loaded = load_scene(description);
+    const Scene& scene = loaded.scene;
+    stats.load_seconds = seconds_since(start);
+    const Plan plan = make_plan(scene, options);
+    const auto build_start = Clock::now();
+    const PreparedScene prepared = prepare(scene, plan, options);
+    stats.build_seconds = seconds_since(build_start);
+    RenderState state = make_state(scene, plan);
+    render_passes(state, scene, prepared, plan, options, arguments.quiet);
+
+    stats.render_seconds = state.seconds;
+    stats.stages = prepared.costs;
+    for (StageCost& cost : loop_costs(state, plan)) stats.stages.push_back(std::move(cost));
+    stats.left_out = plan.left_out;
+    stats.spp = state.samples;
+    stats.threads = threads;
+    stats.isa = isa_name(options.isa == Isa::automatic ? supported_isas().front() : options.isa);
+    stats.segments = scene.segments.point.size();
+    stats.dropped_segments = scene.segments.dropped;
+    if (stats.dropped_segments && !arguments.quiet)
+        std::fprintf(stderr, "dropped %llu bad segments\n", static_cast<unsigned long long>(stats.dropped_segments));
+
+    LayeredImage picture = develop(state.film);
+    add_metadata(picture, stats, options);
+    write_exr(arguments.output, picture);
+    write_png(png_path(arguments.output), display_image(picture, options.film.exposure));
+    stats.total_seconds = seconds_since(start);
+    if (!arguments.stats.empty()) write_text_file(arguments.stats, to_json(stats, options).dump(2) + "\n");
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* command = app.add_subcommand("render", "renders a scene to an EXR with layers and a PNG beside it");
+    add_scene_arguments(*command, arguments->scene);
+    command->add_option("-o,--output", arguments->output, "the EXR; the PNG lies beside it")->required();
+    command->add_option("--stats", arguments->stats, "JSON file for times, memory and what was left out");
+    command->add_flag("--quiet", arguments->quiet, "no progress");
+    command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace tress

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "tools/render_stats.h"
+
+#include <sys/resource.h>
+
+namespace tress {
+
+uint64_t peak_rss_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return uint64_t(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
+    using Json = nlohmann::ordered_json;
+    Json stages = Json::array(), left_out = Json::array(), option_texts = Json::object();
+    for (const StageCost& stage : stats.stages)
+        stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"bytes", stage.bytes}});
+    for (const PlanItem& item : stats.left_out) left_out.push_back({{"name", item.name}, {"why", item.why}});
+    for (const OptionField& field : option_fields(options)) option_texts[field.key] = option_text(field);
+    return {{"seconds",
+             {{"load", stats.load_seconds},
+              {"build", stats.build_seconds},
+              {"render", stats.render_seconds},
+              {"total", stats.total_seconds}}},
+            {"stages", stages},
+            {"left_out", left_out},
+            {"spp", stats.spp},
+            {"threads", stats.threads},
+            {"isa", stats.isa},
+            {"peak_rss_bytes", peak_rss_bytes()},
+            {"segments", stats.segments},
+            {"dropped_segments", stats.dropped_segments},
+            {"options", option_texts}};
+}
+
+}  // namespace tress

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The figures of a render, as --stats writes them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "core/options.h"
+#include "core/plan.h"
+#include "core/stage_cost.h"
+
+namespace tress {
+
+struct RenderStats {
+    double load_seconds = 0, build_seconds = 0, render_seconds = 0, total_seconds = 0;
+    std::vector<StageCost> stages;
+    std::vector<PlanItem> left_out;
+    int spp = 0, threads = 0;
+    std::string isa;  // the one used
+    uint64_t segments = 0, dropped_segments = 0;
+};
+
+/// Largest resident memory of this process so far.
+uint64_t peak_rss_bytes();
+
+nlohmann::ordered_json to_json(const RenderStats& stats, Options options);
+
+}  // namespace tress

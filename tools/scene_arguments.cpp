@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "tools/scene_arguments.h"
+
+#include <charconv>
+
+#include "core/builtin_scene.h"
+#include "core/error.h"
+#include "io/scene_file.h"
+
+namespace tress {
+namespace {
+
+constexpr int kLargestSide = 32768;
+
+void set_size(Camera& camera, const std::string& text) {
+    const char* const end = text.data() + text.size();
+    int width = 0, height = 0;
+    const auto [x, width_error] = std::from_chars(text.data(), end, width);
+    const bool has_x = width_error == std::errc() && x != end && *x == 'x';
+    const auto [rest, height_error] = std::from_chars(has_x ? x + 1 : end, end, height);
+    const auto in_range = [](int side) { return side >= 1 && side <= kLargestSide; };
+    if (!has_x || height_error != std::errc() || rest != end || !in_range(width) || !in_range(height))
+        throw InputError("--size", "'" + text + "', expected WIDTHxHEIGHT, each from 1 to 32768");
+    camera.width = width;
+    camera.height = height;
+}
+
+}  // namespace
+
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
+    command.add_option("scene", arguments.scene, "scene file (JSON); without: the built-in scene");
+    command.add_option("--size", arguments.size, "picture size, WIDTHxHEIGHT");
+    Options defaults;
+    for (const OptionField& field : option_fields(defaults)) {
+        if (field.key.find('.') != std::string::npos) continue;
+        const auto keep = [&arguments, key = field.key](const std::string& text) { arguments.flags[key] = text; };
+        command.add_option_function<std::string>(
+            "--" + field.key, keep, std::string(field.help) + ": " + accepted(field) + " [" + option_text(field) + "]");
+    }
+    std::string help = "any option, key=value:";
+    for (const OptionField& field : option_fields(defaults))
+        help += "\n  " + field.key + "=" + option_text(field) + "  " + std::string(field.help);
+    command.add_option("--set", arguments.sets, help)->expected(1)->take_all();
+}
+
+void set_option(Options& options, const std::string& assignment) {
+    const size_t equals = assignment.find('=');
+    if (equals == std::string::npos) throw InputError("--set", "'" + assignment + "', expected key=value");
+    set_option(options, "--set", assignment.substr(0, equals), assignment.substr(equals + 1));
+}
+
+SceneDescription describe(const SceneArguments& arguments) {
+    SceneDescription scene = arguments.scene.empty() ? builtin_scene() : read_scene_file(arguments.scene);
+    for (const std::string& assignment : arguments.sets) set_option(scene.options, assignment);
+    for (const auto& [key, text] : arguments.flags) set_option(scene.options, "--" + key, key, text);
+    if (!arguments.size.empty()) set_size(scene.camera, arguments.size);
+    return scene;
+}
+
+}  // namespace tress

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What `render` and `plan` are told of a scene and its options on the command line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/scene_description.h"
+
+namespace tress {
+
+struct SceneArguments {
+    std::string scene;                         // empty: the built-in scene
+    std::string size;                          // "WxH" or empty
+    std::map<std::string, std::string> flags;  // option key -> text, of the flags given
+    std::vector<std::string> sets;             // "key=value"
+};
+
+/// Adds SCENE, --size, --set and a flag for every option outside a group (--spp, --type1 …).
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
+
+/// The scene as its file and the command line say it; the command line wins.
+SceneDescription describe(const SceneArguments& arguments);
+
+/// Sets an option from "key=value".
+void set_option(Options& options, const std::string& assignment);
+
+}  // namespace tress
