@@ -28,6 +28,7 @@ std::string behind_links(const std::string& path) {
 }  // namespace
 
 WholeFile::WholeFile(const std::string& path) : path_(path), target_(behind_links(path)) {
+    if (path.empty()) throw InputError("output", "a file without a name, expected one");
     struct stat old {};
     const bool exists = stat(target_.c_str(), &old) == 0;
     if (exists && S_ISDIR(old.st_mode)) throw InputError(path_, "a directory, expected a file to write");
