@@ -89,10 +89,24 @@ Place place_of(const EnvironmentSampler& e, const Vec3& direction) {
 /// atan2 ends at +pi as well as at -pi: both are the seam.
 int wrap(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
-double cell_density(const EnvironmentSampler& e, int x, int y) {
-    const double* row = e.cell_cdf.data() + size_t(y) * size_t(e.image.width + 1);
-    const double share = (row[x + 1] - row[x]) * (e.row_cdf[size_t(y) + 1] - e.row_cdf[size_t(y)]);
-    return share / (2 * kPi64 / e.image.width * (e.cos_edge[size_t(y)] - e.cos_edge[size_t(y) + 1]));
+Rgb interpolate(const Image& image, const Place& place) {
+    const double x = place.x - 0.5, y = glm::clamp(place.y - 0.5, 0.0, double(image.height - 1));
+    const int x0 = int(std::floor(x)), upper = int(y);
+    const int left = wrap(x0, image.width), right = wrap(left + 1, image.width);
+    const int lower = std::min(upper + 1, image.height - 1);
+    const float across = float(x - x0), down = float(y - upper);
+    const Rgb above = glm::mix(image.at(left, upper), image.at(right, upper), across);
+    const Rgb below = glm::mix(image.at(left, lower), image.at(right, lower), across);
+    return glm::mix(above, below, down);
+}
+
+/// Share of the texel there, by its solid angle.
+float cell_density(const EnvironmentSampler& e, const Place& place) {
+    const int x = wrap(int(place.x), e.image.width);
+    const size_t y = size_t(std::min(int(place.y), e.image.height - 1));
+    const double* row = e.cell_cdf.data() + y * size_t(e.image.width + 1);
+    const double share = (row[x + 1] - row[x]) * (e.row_cdf[y + 1] - e.row_cdf[y]);
+    return float(share / (2 * kPi64 / e.image.width * (e.cos_edge[y] - e.cos_edge[y + 1])));
 }
 
 /// The interval of a distribution that holds u, which is rescaled to [0, 1] within it. Intervals of no weight are never
@@ -139,24 +153,12 @@ EnvironmentSampler make_environment_sampler(const EnvironmentLight& light) {
 }
 
 Rgb radiance(const EnvironmentSampler& e, const Vec3& direction) {
-    if (e.image.empty()) return e.constant;
-    const Place place = place_of(e, direction);
-    const double x = place.x - 0.5, y = glm::clamp(place.y - 0.5, 0.0, double(e.image.height - 1));
-    const int x0 = int(std::floor(x)), y0 = std::min(int(y), e.image.height - 1);
-    const int left = wrap(x0, e.image.width), right = wrap(left + 1, e.image.width);
-    const int below = std::min(y0 + 1, e.image.height - 1);
-    const float tx = float(x - x0), ty = float(y - y0);
-    const Rgb upper = glm::mix(e.image.at(left, y0), e.image.at(right, y0), tx);
-    const Rgb lower = glm::mix(e.image.at(left, below), e.image.at(right, below), tx);
-    return glm::mix(upper, lower, ty);
+    return e.image.empty() ? e.constant : interpolate(e.image, place_of(e, direction));
 }
 
 float pdf_environment(const EnvironmentSampler& e, const Vec3& direction) {
     if (!(e.power > 0)) return 0;
-    if (e.image.empty()) return pdf_uniform_sphere();
-    const Place place = place_of(e, direction);
-    const int x = wrap(int(place.x), e.image.width), y = std::min(int(place.y), e.image.height - 1);
-    return float(cell_density(e, x, y));
+    return e.image.empty() ? pdf_uniform_sphere() : cell_density(e, place_of(e, direction));
 }
 
 EnvironmentSample sample_environment(const EnvironmentSampler& e, const Vec2& u) {
@@ -167,7 +169,8 @@ EnvironmentSample sample_environment(const EnvironmentSampler& e, const Vec2& u)
     const double* row = e.cell_cdf.data() + size_t(y) * size_t(e.image.width + 1);
     const int x = choose(row, e.image.width, across);
     const Vec3 direction = direction_in(e, x, y, across, down);
-    return {direction, radiance(e, direction), pdf_environment(e, direction)};
+    const Place place = place_of(e, direction);
+    return {direction, interpolate(e.image, place), cell_density(e, place)};
 }
 
 }  // namespace tress
