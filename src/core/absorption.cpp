@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Absorption from what people know: melanin and colour.
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "core/fiber.h"
