@@ -13,6 +13,7 @@ namespace {
 
 constexpr float kFieldCell = 0.5f;     // cm; the trilinear field then errs by about 0.01 cm on the skull
 constexpr int kNewtonSteps = 2;        // from the coarse mesh, at most 0.05 cm off, to the surface
+constexpr float kOffSurface = 1e-3f;   // cm
 constexpr float kEarClearance = 0.3f;  // cm
 
 /// The hair line: its height y (cm) over the azimuth from the face (degrees), down the temple to a lock in front of
@@ -69,10 +70,11 @@ Roots place_roots(const Scalp& scalp, size_t count, uint64_t key) {
         const float u = std::sqrt(random(own, 1)), v = random(own, 2);
         const Vec3* c = &scalp.corner[3 * t];
         Vec3 p = (1 - u) * c[0] + u * (1 - v) * c[1] + u * v * c[2];
-        const Vec3 normal = normalize(interpolate(scalp.field, p).gradient);
-        for (int step = 0; step < kNewtonSteps; ++step) p -= head_distance(p) * normal;
+        const Vec3 slope = interpolate(scalp.field, p).gradient;
+        for (int step = 0; step < kNewtonSteps; ++step) p -= head_distance(p) / dot(slope, slope) * slope;
+        if (std::abs(head_distance(p)) > kOffSurface) p = on_head(p);  // in the crease about an ear
         roots.point[i] = p;
-        roots.normal[i] = normal;
+        roots.normal[i] = normalize(slope);
     });
     return roots;
 }
