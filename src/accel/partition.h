@@ -57,7 +57,7 @@ void partition(std::span<const Reference> references, const Cut<Primitives>& cut
     for (const Reference& reference : references) {
         const bool goes_left = cut.goes_left(reference), goes_right = cut.goes_right(reference);
         *r = reference;
-        *l = *r;  // last: `reference` may be there
+        *l = reference;  // last: it may be the same
         if (goes_left && goes_right) {
             l += cut.left_part(*l);
             r += cut.right_part(*r);
