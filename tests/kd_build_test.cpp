@@ -294,6 +294,27 @@ TEST_CASE("a moved scene has the same tree where its coordinates are exact") {
     CHECK(same_tree(tree, moved));
 }
 
+TEST_CASE("a scene scaled by a power of two has the same splits") {
+    const SegmentSet set = random_segments(3000, 0.3f, 0.01f);
+    const AccelOptions options = deep_options();
+    const KdTree tree = build_segment_tree(set.view(), options);
+    for (const float scale : {0x1p-66f, 0x1p-20f, 0x1p20f, 0x1p66f}) {
+        CAPTURE(scale);
+        SegmentSet scaled = set;
+        for (auto* values : {&scaled.x, &scaled.y, &scaled.z, &scaled.radius})
+            for (float& value : *values) value *= scale;
+        const KdTree other = build_segment_tree(scaled.view(), options);
+        REQUIRE(other.nodes.size() == tree.nodes.size());
+        bool same = true;
+        for (size_t i = 0; i < tree.nodes.size(); ++i) {
+            const KdNode &a = tree.nodes[i], &b = other.nodes[i];
+            same &= a.is_leaf() == b.is_leaf() &&
+                    (a.is_leaf() ? a.references() == b.references() : a.split() * scale == b.split());
+        }
+        CHECK(same);
+    }
+}
+
 TEST_CASE("statistics of a small tree equal a count by hand") {
     // Cell 4 x 2 x 1, half area 8 + 2 + 4 = 14; cut at x = 1: left 1 x 2 x 1 (5), right 3 x 2 x 1 (11);
     // right cut at y = 1.5: 3 x 1.5 x 1 (9) and 3 x 0.5 x 1 (5).

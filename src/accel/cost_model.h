@@ -26,12 +26,14 @@ public:
           full_(1 - options.empty_bonus),
           lo_(cell.lo[int(axis)]),
           hi_(cell.hi[int(axis)]) {
-        const Vec3 e = cell.extent();
+        // In units of the cell's longest side: areas of very small and very large scenes stay in the range of floats.
+        const float unit = 1 / max_component(cell.extent());
+        const Vec3 e = cell.extent() * unit;
         const float a = e[int(axis + 1) % 3], b = e[int(axis + 2) % 3];
         cap_ = a * b;
-        girth_ = a + b;
-        const float area = half_area(hi_ - lo_);
-        inverse_area_ = area > 0 ? 1 / area : 0;
+        girth_ = (a + b) * unit;
+        const float inverse = 1 / half_area(hi_ - lo_);
+        inverse_area_ = std::isfinite(inverse) ? inverse : 0;
     }
 
     /// Whether a cut at `s` leaves both sides some floats, in a cell that has an area.
@@ -45,7 +47,7 @@ public:
     }
 
 private:
-    float half_area(float length) const { return cap_ + length * girth_; }
+    float half_area(float length) const { return cap_ + length * girth_; }  // in units squared
     float traversal_, full_, lo_, hi_, cap_, girth_, inverse_area_;
 };
 
