@@ -131,14 +131,22 @@ HWY_INLINE bool meet_segments(const KdTree& tree, const LocalRay& ray, const KdN
             constexpr float kParallel = 1e-12f;  // sine squared
             const Floats squared = hn::Set(tag, ray.squared);
             const Lanes oblique = hn::Gt(nn, hn::Mul(hn::Set(tag, kParallel * ray.squared), dot(axis, axis)));
-            const Floats u_line = hn::IfThenElseZero(oblique, hn::Neg(hn::Div(dot(cross(d, a), n), nn)));
+            const Floats from_start = dot(cross(d, a), n);
+            const Floats u_line = hn::IfThenElseZero(oblique, hn::Neg(hn::Div(from_start, nn)));
             const Floats u = hn::Min(hn::Max(u_line, zero), one);
             const Floats3 closest = a + u * axis;
             const Floats t = hn::Div(dot(closest, d), squared);
             const Floats3 across = closest - t * d;
             const Floats radius = kVarying ? hn::Add(start_radius, hn::Mul(u, slope)) : start_radius;
             Lanes met = hn::And(near, hn::Le(dot(across, across), hn::Mul(radius, radius)));
-            if constexpr (kEnds == Ends::open) met = hn::And(met, hn::And(hn::Ge(u_line, zero), hn::Lt(u_line, one)));
+            if constexpr (kEnds == Ends::open) {
+                // 0 <= u < 1, asked at the ends: of two segments that share one, both see the same numbers there.
+                const Floats3 start = load_rows(block + segment_row::x * kLanes, lane);
+                const Floats3 b = ((start + axis) - middle) - rest;
+                const Floats from_end = dot(cross(d, b), n);
+                const Lanes inside = hn::And(hn::Le(from_start, zero), hn::Gt(from_end, zero));
+                met = hn::And(met, hn::Or(inside, hn::Not(oblique)));
+            }
             if (hn::AllFalse(tag, met)) continue;
             met = hn::And(met, may_meet(load_identities(block + segment_row::id * kLanes, lane), ray));
             const Floats side = hn::IfThenElseZero(oblique, hn::Neg(hn::Div(triple, hn::Sqrt(nn))));
