@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kDeepest = 60;  // levels, whatever the options say: traversals keep a stack of fixed size
 
-/// References a primitive that all leaves together may hold. Long hair in dense hair needs 5 at the defaults and 12 at
+/// References a primitive that all leaves together may hold. Long hair in dense hair needs 5 at the defaults and 10 at
 /// a traversal cost of 2; what needs more than this would fill the memory.
 constexpr uint64_t kReferenceCap = 16;
 
