@@ -2,6 +2,7 @@
 #include "tools/scene_arguments.h"
 
 #include <charconv>
+#include <cstdlib>
 
 #include "core/builtin_scene.h"
 #include "core/error.h"
@@ -30,6 +31,7 @@ void set_size(Camera& camera, const std::string& text) {
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     command.add_option("scene", arguments.scene, "scene file (JSON); without: the built-in scene");
     command.add_option("--size", arguments.size, "picture size, WIDTHxHEIGHT");
+    command.add_option("--data", arguments.data, "folder that ${TRESS_DATA} stands for in scene files");
     Options defaults;
     for (const OptionField& field : option_fields(defaults)) {
         if (field.key.find('.') != std::string::npos) continue;
@@ -50,6 +52,7 @@ void set_option(Options& options, const std::string& assignment) {
 }
 
 SceneDescription describe(const SceneArguments& arguments) {
+    if (!arguments.data.empty()) setenv("TRESS_DATA", arguments.data.c_str(), 1);
     SceneDescription scene = arguments.scene.empty() ? builtin_scene() : read_scene_file(arguments.scene);
     for (const std::string& assignment : arguments.sets) set_option(scene.options, assignment);
     for (const auto& [key, text] : arguments.flags) set_option(scene.options, "--" + key, key, text);

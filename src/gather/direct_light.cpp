@@ -6,25 +6,46 @@
 namespace tress {
 namespace {
 
-LightSample sample_light(const Scene& scene, const PreparedScene& prepared, uint32_t light, const Vec3& position,
-                         const Vec2& u) {
-    return std::visit(
-        [&](const auto& kind) -> LightSample {
-            if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, EnvironmentLight>) {
-                const EnvironmentSample s = sample_environment(*prepared.environment[light], u);
-                if (!(s.pdf > 0)) return {};
-                return {s.direction, kInfinity, min(s.radiance / s.pdf, Rgb(kLargestIrradiance))};
-            } else {
-                return sample(kind, position, u);
-            }
-        },
-        scene.lights[light]);
-}
+/// A way from a point to a light, and the light that it would bring to the eye with nothing between.
+struct Connection {
+    Vec3 direction{0, 0, 1};
+    float distance = 0;
+    Rgb radiance{0};
+};
 
-/// f |cos| E, kept finite: two factors near the largest floats may overflow.
-Rgb bounded_product(const Rgb& scattered, const Rgb& irradiance) {
-    return min(scattered * irradiance, Rgb(kLargestIrradiance));
-}
+/// Kept finite: two factors near the largest floats may overflow.
+Rgb bounded(const Rgb& radiance) { return min(radiance, Rgb(kLargestIrradiance)); }
+
+struct Connect {
+    const Scene& scene;
+    const PreparedScene& prepared;
+    const ShadingPoint& point;
+    const Sampler& sampler;
+    uint32_t light;
+
+    uint32_t dimension() const { return kFirstLightDimension + kDimensionsALight * light; }
+
+    template <class Lamp>
+    Connection operator()(const Lamp& lamp) const {
+        const LightSample to = sample(lamp, point.position, sampler.get2(dimension()));
+        if (max_component(to.irradiance) <= 0) return {};
+        return {to.direction, to.distance, bounded(scatter(scene, point, to.direction).value * to.irradiance)};
+    }
+
+    /// Half of the directions follow the sky's brightness, half the scattering: the balance heuristic with one sample
+    /// (Veach 1997, sec. 9.2.4), which keeps sharp lobes and small suns alike from becoming noise.
+    Connection operator()(const EnvironmentLight&) const {
+        const EnvironmentSampler& sky = *prepared.environment[light];
+        const glm::vec4 u = sampler.get4(dimension());
+        const bool by_sky = sampler.get(dimension() + kSobolGroup) < 0.5f;
+        const Vec3 direction =
+            by_sky ? sample_environment(sky, {u.x, u.y}).direction : sample_scattering(scene, point, u);
+        const Scattering scattered = scatter(scene, point, direction);
+        const float pdf = 0.5f * (pdf_environment(sky, direction) + scattered.pdf);
+        if (!(pdf > 0) || max_component(scattered.value) <= 0) return {};
+        return {direction, kInfinity, bounded(scattered.value * (radiance(sky, direction) / pdf))};
+    }
+};
 
 }  // namespace
 
@@ -35,16 +56,13 @@ void DirectLight::operator()(const Scene& scene, const PreparedScene& prepared, 
         rays_.clear();
         point_of_ray_.clear();
         unshadowed_.clear();
-        const uint32_t dimension = kFirstLightDimension + kDimensionsALight * light;
         for (uint32_t i = 0; i < points.size(); ++i) {
-            const ShadingPoint& point = points[i];
-            const LightSample to = sample_light(scene, prepared, light, point.position, samplers[i].get2(dimension));
-            if (max_component(to.irradiance) <= 0) continue;
-            const Rgb scattered = scatter(scene, point, to.direction);
-            if (max_component(scattered) <= 0) continue;
-            rays_.add(point.position, to.direction, to.distance, point.excluded);
+            const Connection to =
+                std::visit(Connect{scene, prepared, points[i], samplers[i], light}, scene.lights[light]);
+            if (max_component(to.radiance) <= 0) continue;
+            rays_.add(points[i].position, to.direction, to.distance, points[i].excluded);
             point_of_ray_.push_back(i);
-            unshadowed_.push_back(bounded_product(scattered, to.irradiance));
+            unshadowed_.push_back(to.radiance);
         }
         visibility_.resize(rays_.size());
         query_(prepared, rays_, options, visibility_);

@@ -12,8 +12,8 @@
 
 namespace tress {
 
-/// Dimensions of the sampler that a light uses: lights start at kFirstLightDimension, each with its own.
-inline constexpr uint32_t kFirstLightDimension = 4, kDimensionsALight = 4;
+/// Dimensions of the sampler that a light uses: lights start at kFirstLightDimension, each with two groups of its own.
+inline constexpr uint32_t kFirstLightDimension = kSobolGroup, kDimensionsALight = 2 * kSobolGroup;
 
 class DirectLight {
 public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gather/shading_point.h"
 
+#include "core/sampling.h"
+
 namespace tress {
 namespace {
 
@@ -64,14 +66,20 @@ ShadingPoint polygon_point(const Scene& scene, const Vec3& direction, const Hit&
     return point;
 }
 
-Rgb scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi) {
+Scattering scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi) {
     const Vec3 local = point.frame.to_local(wi);
     if (point.fiber == kPolygon) {
-        if (dot(wi, point.geometric_normal) <= 0) return Rgb(0);
-        return point.color * (kInvPi * glm::max(local.z, 0.0f));
+        const float pdf = pdf_cosine_hemisphere(local.z);
+        if (dot(wi, point.geometric_normal) <= 0) return {Rgb(0), pdf};
+        return {point.color * pdf, pdf};  // albedo / pi cos theta
     }
-    const FiberScattering f = evaluate(scene.fibers[point.fiber], point.color, point.wo, local, point.h);
-    return f.forward + f.reflected;
+    const FiberSample f = evaluate_with_pdf(scene.fibers[point.fiber], point.color, point.wo, local, point.h);
+    return {f.value.forward + f.value.reflected, f.pdf};
+}
+
+Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u) {
+    if (point.fiber == kPolygon) return point.frame.to_world(sample_cosine_hemisphere({u.x, u.y}));
+    return point.frame.to_world(sample(scene.fibers[point.fiber], point.color, point.wo, point.h, u).wi);
 }
 
 Rgb layer_albedo(const PreparedScene& prepared, const ShadingPoint& point) {

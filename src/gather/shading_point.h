@@ -33,8 +33,17 @@ struct Hit {
 ShadingPoint fiber_point(const Scene& scene, const PreparedScene& prepared, const Vec3& direction, const Hit& hit);
 ShadingPoint polygon_point(const Scene& scene, const Vec3& direction, const Hit& hit);
 
-/// f |cos theta_i| towards the unit direction `wi` (world).
-Rgb scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi);
+/// f |cos theta_i| towards a direction, and the density with which sample_scattering draws it.
+struct Scattering {
+    Rgb value{0};
+    float pdf = 0;  // 1 / steradian
+};
+
+/// `wi` is a unit vector (world).
+Scattering scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi);
+
+/// Unit direction (world) with density near proportional to f |cos theta_i|. `u` is uniform in [0, 1)^4.
+Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u);
 
 /// For the albedo layer: of a polygon its own, of a fiber the share that goes straight through it at normal incidence.
 Rgb layer_albedo(const PreparedScene& prepared, const ShadingPoint& point);
