@@ -132,19 +132,21 @@ TEST_CASE("roots are in no rows: distances to the nearest vary, and its directio
 }
 
 TEST_CASE("hair hangs in locks: strands lie nearer to each other than if placed alone within a lock's width") {
+    // Of strands placed alone the ratio is 1, to within some 1 % (spread of the distances 0.5, over 1000 strands or
+    // more).
     for (const std::string name : {"straight", "wavy", "curly"}) {
         CAPTURE(name);
         std::vector<Vec3> moved = crossings(make_groom(name, name == "curly" ? 180000 : 60000, 6), -8);
         REQUIRE(moved.size() > 500);
         const double clumped = mean_nearest(moved);
         for (size_t i = 0; i < moved.size(); ++i) moved[i] += Vec3(signed_random(i, 0), 0, signed_random(i, 1));
-        CHECK(clumped < 0.8 * mean_nearest(moved));
+        CHECK(clumped < 0.9 * mean_nearest(moved));
     }
     std::vector<Vec3> moved = tips(make_groom("short", 50000, 6));
     const double clumped = mean_nearest(moved);
     for (size_t i = 0; i < moved.size(); ++i)
         moved[i] += 0.5f * Vec3(signed_random(i, 0), signed_random(i, 1), signed_random(i, 2));
-    CHECK(clumped < 0.8 * mean_nearest(moved));
+    CHECK(clumped < 0.9 * mean_nearest(moved));
 }
 
 TEST_CASE("strands taper from a hair's radius to a fine tip, and are cut to different lengths") {

@@ -34,7 +34,7 @@ Vec3 combed(const GroomStyle& style, const Vec3& root, const Vec3& normal) {
         return unit_or(along_surface(away + 0.55f * cross(normal, away) + sideways, normal), kDown);
     }
     const float parted = parting_strength(style, root);
-    const Vec3 aside(parting_side(style, root), 0, -0.75f);
+    const Vec3 aside(parting_side(style, root), 0, -0.95f);
     const float low = 1 - glm::smoothstep(1.0f, 7.0f, root.y);
     const Vec3 v = glm::mix(away + 0.25f * cross(normal, away), aside, parted);
     return unit_or(along_surface(glm::mix(v, Vec3(0, -1, -0.35f), low), normal), kDown);

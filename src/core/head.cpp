@@ -35,6 +35,8 @@ float cone(const Vec3& p, const Vec3& a, const Vec3& b, float r0, float r1) {
 /// |x|, rounded at 0 so that what is mirrored joins without a crease.
 Vec3 mirrored(const Vec3& p) { return {std::sqrt(p.x * p.x + 0.16f), p.y, p.z}; }
 
+constexpr float kLipBend = 0.2f;  // 1/cm: lips follow the curve of the teeth
+
 float skull(const Vec3& p) {
     float d = ellipsoid(p, {0, 3.1f, -1.3f}, {7.5f, 7.9f, 9.3f});
     d = smooth_union(d, ellipsoid(p, {0, -2.2f, 2.1f}, {5.9f, 7.4f, 6.1f}), 2.5f);
@@ -51,8 +53,9 @@ float add_features(float d, const Vec3& p) {
     d = smooth_union(d, cone(p, {0, 1.8f, 7.2f}, {0, -2.9f, 9.3f}, 0.6f, 0.85f), 1.3f);      // nose
     d = smooth_union(d, ellipsoid(p, {0.85f, -3.2f, 8.3f}, {0.65f, 0.55f, 0.9f}), 0.8f);     // nostril
     d = smooth_union(d, ellipsoid(p, {0, -6.2f, 6.0f}, {2.7f, 1.9f, 1.9f}), 1.6f);           // mouth
-    d = smooth_union(d, ellipsoid(p, {0.3f, -5.85f, 7.75f}, {1.9f, 0.42f, 0.65f}), 0.5f);    // upper lip
-    d = smooth_union(d, ellipsoid(p, {0, -6.7f, 7.7f}, {1.75f, 0.5f, 0.75f}), 0.3f);         // lower lip
+    const Vec3 bent(p.x, p.y, p.z + kLipBend * p.x * p.x);
+    d = smooth_union(d, ellipsoid(bent, {0, -5.8f, 7.8f}, {2.3f, 0.42f, 0.6f}), 0.6f);   // upper lip
+    d = smooth_union(d, ellipsoid(bent, {0, -6.7f, 7.75f}, {1.9f, 0.5f, 0.65f}), 0.4f);  // lower lip
     return d;
 }
 

@@ -21,10 +21,10 @@ constexpr float kEarClearance = 0.3f;  // cm
 struct HairLinePoint {
     float azimuth, height;
 };
-constexpr HairLinePoint kHairLine[] = {{0, 6.5f},    {22, 6.9f},   {38, 6.3f},  {52, 4.2f},  {66, 1.6f},
+constexpr HairLinePoint kHairLine[] = {{0, 6.2f},    {22, 6.5f},   {38, 6.0f},  {52, 4.2f},  {66, 1.6f},
                                        {76, -0.4f},  {84, 1.6f},   {96, 2.2f},  {108, 1.4f}, {118, -1.8f},
                                        {132, -5.0f}, {150, -6.9f}, {180, -7.4f}};
-constexpr float kHairLineSoftness = 0.6f;  // cm over which the density rises
+constexpr float kHairLineSoftness = 0.4f;  // cm over which the density rises
 
 float hair_line(float azimuth) {
     size_t next = 1;

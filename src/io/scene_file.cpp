@@ -139,6 +139,12 @@ SphereShape read_sphere(const JsonValue& object) {
     return sphere;
 }
 
+HeadShape read_head(const JsonValue& value) {
+    if (value.node().kind != JsonNode::Kind::boolean || value.node().text != "true")
+        value.fail("expected true: the head has no parameters");
+    return {};
+}
+
 MeshDescription read_mesh(const JsonValue& object, const std::string& folder) {
     object.check_keys({"file", "quad", "sphere", "head", "matrix", "albedo"});
     MeshDescription mesh;
@@ -146,6 +152,7 @@ MeshDescription read_mesh(const JsonValue& object, const std::string& folder) {
     if (kind == "file") mesh.shape = file_name(object.at("file"), folder);
     if (kind == "quad") mesh.shape = read_quad(object.at("quad"));
     if (kind == "sphere") mesh.shape = read_sphere(object.at("sphere"));
+    if (kind == "head") mesh.shape = read_head(object.at("head"));
     mesh.placement = read_placement(object);
     get(object, "albedo", mesh.albedo, 1);
     return mesh;
