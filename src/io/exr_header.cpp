@@ -64,9 +64,72 @@ void check_tiles(ByteReader& in) {
     }
 }
 
-void check_preview(ByteReader& in, uint32_t bytes) {
+void check_preview(ByteReader& in) {
     const uint64_t width = in.read<uint32_t>("preview"), height = in.read<uint32_t>("preview");
-    if (width * height != (uint64_t(bytes) - 8) / 4) in.fail("a preview that is not as long as it says");
+    in.skip(width * height, 4, "preview");
+}
+
+void check_texts(ByteReader& in, uint64_t end) {
+    while (in.offset() < end) in.skip(in.read<uint32_t>("length of a text"), 1, "text");
+}
+
+/// Types of attributes whose length the library knows and does not look up: it must be what the file says.
+struct FixedType {
+    const char* name;
+    uint32_t bytes;
+};
+constexpr FixedType kFixedTypes[] = {
+    {"box2i", 16},
+    {"box2f", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33f", 36},
+    {"m33d", 72},
+    {"m44f", 64},
+    {"m44d", 128},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2i", 8},
+    {"v2f", 8},
+    {"v2d", 16},
+    {"v3i", 12},
+    {"v3f", 12},
+    {"v3d", 24},
+};
+
+/// What the header says of the pixels.
+struct Pixels {
+    Window window;
+    uint64_t channels = 0;
+};
+
+/// An attribute of `bytes` at the reader's place, which is left at its end.
+void read_attribute(ByteReader& in, const std::string& name, const std::string& type, uint32_t bytes, Pixels& pixels) {
+    in.need(bytes, 1, "an attribute");
+    const uint64_t end = in.offset() + bytes;
+    for (const FixedType& fixed : kFixedTypes)
+        if (type == fixed.name && bytes != fixed.bytes)
+            in.fail(std::to_string(bytes) + " bytes of " + type + ", expected " + std::to_string(fixed.bytes));
+    if (type == "idmanifest") in.fail("a manifest of ids, expected a picture without");
+    if (type == "preview") check_preview(in);
+    if (type == "stringvector") check_texts(in, end);
+    if (type == "chlist") {
+        const uint64_t count = read_channels(in);
+        if (name == "channels") pixels.channels = count;
+    }
+    const bool has_inner_lengths = type == "preview" || type == "stringvector" || type == "chlist";
+    if (has_inner_lengths && in.offset() != end) in.fail("an attribute that does not end where it says");
+    if (name == "dataWindow" && type == "box2i") pixels.window = read_window(in);
+    if (type == "tiledesc") check_tiles(in);
+    in.seek(end, "the next attribute");
 }
 
 }  // namespace
@@ -79,19 +142,13 @@ void check_exr_header(const std::string& path) {
     if ((version & kVersionMask) != kVersion || (version & ~kVersionMask & ~kKnownFlags))
         in.fail("a file of version or kind " + std::to_string(version) + ", expected one flat picture of version 2");
 
-    Window window;
-    uint64_t channels = 0;
+    Pixels pixels;
     for (std::string name = read_name(in); !name.empty(); name = read_name(in)) {
         const std::string type = read_name(in);
         const uint32_t bytes = in.read<uint32_t>("length of an attribute");
-        in.need(bytes, 1, "an attribute");
-        const uint64_t end = in.offset() + bytes;
-        if (name == "dataWindow") window = read_window(in);
-        if (name == "channels") channels = read_channels(in);
-        if (name == "tiles") check_tiles(in);
-        if (type == "preview" && bytes >= 8) check_preview(in, bytes);
-        in.seek(end, "the next attribute");
+        read_attribute(in, name, type, bytes, pixels);
     }
+    const auto& [window, channels] = pixels;
     if (window.width() < 1 || channels == 0) throw InputError(path, "a header without dataWindow or channels");
     const uint64_t pixel_bytes = uint64_t(window.width()) * uint64_t(window.height()) * channels * sizeof(float);
     if (pixel_bytes > kAlwaysAllowed && pixel_bytes / kMostCompression > in.size())
