@@ -60,6 +60,7 @@ Json hair_info(const std::string& path) {
     Json info = {{"kind", "hair"}};
     info.update(strand_counts(traced, list_segments(traced)));
     info["dropped_strands"] = data.dropped_strands;
+    info["triangles"] = 0;
     info["bounds"] = corners(point_bounds([&](size_t i) { return strands.point(i); }, strands.points(), DVec3(0)));
     info["radius"] = radius_range(strands);
     info["has_colors"] = !strands.color.empty();
@@ -70,9 +71,13 @@ Json hair_info(const std::string& path) {
 Json mesh_info(const std::string& path) {
     const TriangleMesh mesh = read_mesh_file(path);
     return {{"kind", "mesh"},
+            {"strands", 0},
+            {"points", 0},
+            {"segments", 0},
             {"vertices", mesh.vertices()},
             {"triangles", mesh.triangles()},
             {"bounds", corners(point_bounds([&](size_t i) { return mesh.vertex(i); }, mesh.vertices(), DVec3(0)))},
+            {"radius", nullptr},
             {"has_normals", !mesh.normal.empty()},
             {"bytes", bytes(mesh)}};
 }
