@@ -175,13 +175,14 @@ TEST_CASE("an .obj file with a fault is refused with the line it is in") {
         {v + "f -4 1 2\n", "vertex -4"},
         {v + "f 1//1 2 3\n", "normal 1 of a face, expected 1 to 0"},
         {v + "f 1 2 99999999999999999999\n", "expected a whole number"},
+        {v + "f 1 2 4294967297\n", "expected a whole number of 32 bits"},
         {v + "f 1 2\n", "a face of 2 corners"},
         {v + "f a b c\n", "'a', expected a whole number"},
         {"v 0 0\n", "nothing, expected a number"},
         {"v 0 0 x\n", "'x', expected a number"},
         {v, "no faces"},
         {v + "v 1e39 0 0\nf 1 2 4\n", "vertex 3 is not finite"},
-        {v + "v nan 0 0\nf 1 2 4\n", "vertex 3 is not finite"},
+        {v + "v nan 0 0\nf 1 2 4\n", "line 4: 'nan', expected a finite number"},
         {"", "no faces"},
     };
     for (const auto& [text, part] : bad) {

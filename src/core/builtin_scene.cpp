@@ -22,7 +22,7 @@ HairDescription hair() {
     hair.groom = "wavy";
     hair.segments = kSegments;
     hair.placement = turned(kTurn);
-    hair.fiber.absorption = Melanin{0.5f, 0.25f};  // chestnut
+    hair.fiber.absorption = Melanin{0.22f, 0.4f};  // auburn
     hair.fiber.parameters.beta_m = 0.25f;
     return hair;
 }
@@ -53,19 +53,22 @@ QuadLight lamp(const DVec3& center, const DVec3& target, double width, double he
     return {center - 0.5 * (across + up), {across, up}, radiance};
 }
 
+/// A warm key from the left, a weak cool fill from the right, a rim from above and behind, and a little sky.
 std::vector<Light> lights() {
+    const DVec3 head(0, 0, 0);
     return {
-        lamp({-13, 29, 38}, {0, -4, 2}, 28, 20, Rgb(27, 24.5f, 21)),
-        lamp({11, 26, -44}, {0, 2, 0}, 14, 10, Rgb(18, 20, 22)),
-        EnvironmentLight{.file = {}, .image = {}, .radiance = Rgb(0.22f, 0.24f, 0.28f), .rotation = 0},
+        lamp({-17, 28, 40}, head, 24, 18, Rgb(38, 34, 29)),
+        lamp({24, 8, 44}, head, 18, 18, Rgb(5.5f, 6.2f, 7.2f)),
+        lamp({3, 32, -30}, head, 26, 10, Rgb(17, 18, 19)),
+        EnvironmentLight{.file = {}, .image = {}, .radiance = Rgb(0.36f, 0.38f, 0.42f), .rotation = 0},
     };
 }
 
 Camera camera() {
     Camera camera;
-    camera.from = {0, 1, 84};
-    camera.to = {0, -4.5, 0};
-    camera.fov = 30;
+    camera.from = {0, 2, 80};
+    camera.to = {0, -2.5, 0};
+    camera.fov = 26;
     camera.width = camera.height = 768;
     return camera;
 }

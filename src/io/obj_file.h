@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wavefront .obj: vertices, normals and polygons; everything else in the file is passed over.
-// Read here and not by a library so that numbers are exact and messages name the line.
+// Parsed by tinyobjloader, after its words are checked so that messages name the line.
 #pragma once
 
 #include <string>

@@ -17,6 +17,9 @@ public:
     bool next_line();
     /// The next word of this line; empty where there is none left.
     std::string_view word();
+    /// What is left of this line.
+    std::string_view rest_of_line() const { return in_line_; }
+    size_t line() const { return line_; }
     /// The next word of any line; empty at the end of the text.
     std::string_view word_anywhere();
 
