@@ -8,6 +8,7 @@
 #define TRESS_ACCEL_LOCAL_RAY_INL_H
 #endif
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -68,7 +69,7 @@ HWY_INLINE bool make_local_ray(const KdTree& tree, const PaddedBounds& bounds, c
     const double o[3] = {double(rays.ox[i]), double(rays.oy[i]), double(rays.oz[i])};
     const double d[3] = {double(rays.dx[i]), double(rays.dy[i]), double(rays.dz[i])};
     const float t_near = rays.t_near[i], t_far = rays.t_far[i];
-    const double largest = std::fmax(std::fmax(std::fabs(d[0]), std::fabs(d[1])), std::fabs(d[2]));
+    const double largest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});  // a NaN is caught below
     const bool finite = std::isfinite(o[0] + o[1] + o[2] + d[0] + d[1] + d[2]);
     if (!finite || !(largest > 0) || !(t_near < t_far)) return false;
 

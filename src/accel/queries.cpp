@@ -53,7 +53,10 @@ constexpr NamedTargets kNamed[] = {
 };
 
 /// Those of `wanted` that are compiled and that the machine can run.
-int64_t available(int64_t wanted) { return wanted & HWY_TARGETS & (hwy::SupportedTargets() | HWY_SCALAR | HWY_EMU128); }
+int64_t available(int64_t wanted) {
+    static const int64_t machine = hwy::SupportedTargets() | HWY_SCALAR | HWY_EMU128;  // asked once: it is slow
+    return wanted & HWY_TARGETS & machine;
+}
 
 QueryKernels kernels_of(int64_t targets) {
     hwy::ChosenTarget chosen;

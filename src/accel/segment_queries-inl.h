@@ -18,15 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-/// What all rays of a batch share.
-struct SegmentScene {
-    const KdTree& tree;
-    float longest;
-
-    explicit SegmentScene(const KdTree& t)
-        : tree(t), longest(t.longest_segment > 0 ? t.longest_segment : length(t.bounds.extent())) {}
-};
-
 /// Lanes of `met` from `low` up to, not with, `high`.
 HWY_INLINE Lanes met_within(const SegmentHits& hits, float low, float high) {
     const FloatTag d;
@@ -83,8 +74,8 @@ struct NearestSegment {
             }
             return false;
         };
-        const LeafView view(ray, t_in, t_out, scene.longest);
-        meet_segments<Ends::round, kVarying>(scene.tree, ray, node, view, on_hits);
+        const LeafView view(ray, t_in, t_out, scene);
+        meet_segments<Ends::round, kVarying>(scene, ray, node, view, on_hits);
         return t < t_out;
     }
 };
@@ -102,8 +93,7 @@ struct CountCrossings {
             count += uint32_t(hn::CountTrue(FloatTag(), met_within(hits, t_in, t_out)));
             return count >= limit;
         };
-        return meet_segments<kEnds, kVarying>(scene.tree, ray, node, LeafView(ray, t_in, t_out, scene.longest),
-                                              on_hits);
+        return meet_segments<kEnds, kVarying>(scene, ray, node, LeafView(ray, t_in, t_out, scene), on_hits);
     }
 };
 
@@ -131,13 +121,12 @@ struct SumDepths {
             }
             return false;
         };
-        return meet_segments<kEnds, kVarying>(scene.tree, ray, node, LeafView(ray, t_in, t_out, scene.longest),
-                                              on_hits);
+        return meet_segments<kEnds, kVarying>(scene, ray, node, LeafView(ray, t_in, t_out, scene), on_hits);
     }
 };
 
 struct Crossing {
-    float t, u, h;
+    float t, u, h;  // t as the caller sees it: rounding may make two of them equal
     uint32_t id;
 
     bool operator<(const Crossing& other) const { return t < other.t || (t == other.t && id < other.id); }
@@ -156,13 +145,12 @@ struct CollectCrossings {
             const HitArrays at(hits);
             for (; bits != 0; bits &= bits - 1) {
                 const uint32_t k = uint32_t(std::countr_zero(bits));
-                found.push_back(
-                    {at.t[k], at.u[k], offset_in_radii(at.side[k], at.radius[k]), identity(block, lane + k)});
+                found.push_back({ray.caller_t(at.t[k]), at.u[k], offset_in_radii(at.side[k], at.radius[k]),
+                                 identity(block, lane + k)});
             }
             return false;
         };
-        return meet_segments<kEnds, kVarying>(scene.tree, ray, node, LeafView(ray, t_in, t_out, scene.longest),
-                                              on_hits);
+        return meet_segments<kEnds, kVarying>(scene, ray, node, LeafView(ray, t_in, t_out, scene), on_hits);
     }
 };
 
@@ -223,10 +211,10 @@ void transmittance(const KdTree& tree, const RayBatch& rays, const Attenuation& 
 void crossings(const KdTree& tree, const RayBatch& rays, Crossings& out) {
     const SegmentScene scene(tree);
     std::vector<Crossing> found;
-    const auto append = [&](const LocalRay& ray) {
+    const auto append = [&] {
         std::sort(found.begin(), found.end());
         for (const Crossing& c : found) {
-            out.t.push_back(ray.caller_t(c.t));
+            out.t.push_back(c.t);
             out.u.push_back(c.u);
             out.h.push_back(c.h);
             out.id.push_back(c.id);
@@ -238,7 +226,7 @@ void crossings(const KdTree& tree, const RayBatch& rays, Crossings& out) {
             found.clear();
             CollectCrossings<kEnds, kVarying> collector{scene, ray, found};
             traverse(tree, ray, collector);
-            append(ray);
+            append();
         };
         for_each_ray(tree, rays, trace, [&](size_t) { out.first.push_back(out.t.size()); });
     });

@@ -77,79 +77,99 @@ struct SegmentHits {
     Floats side, radius;  // signed offset and radius where it is met, along normalize(cross(direction, axis))
 };
 
+/// What all rays of a batch share.
+struct SegmentScene {
+    const KdTree& tree;
+    float longest;   // no segment is longer
+    float rounding;  // no point of the tree moves further when it is rounded
+
+    explicit SegmentScene(const KdTree& t)
+        : tree(t), longest(t.longest_segment > 0 ? t.longest_segment : length(t.bounds.extent())) {
+        const float largest = glm::max(max_component(abs(t.bounds.lo)), max_component(abs(t.bounds.hi)));
+        rounding = 3 * 0x1p-23f * largest;  // half an ulp an axis, doubled for what lies a little outside
+    }
+};
+
 /// The leaf as seen from the middle of the ray's interval in it: what is subtracted is near what it is subtracted from.
 struct LeafView {
-    float middle[3], rest[3];  // their sum is the point, to twice single precision
+    double point[3];
+    float middle[3];  // point, rounded
     float t;
-    float slack;
+    float slack;  // of the line test's squared triple product
 
-    /// `longest`: no segment of the tree is longer.
-    LeafView(const LocalRay& ray, float t_in, float t_out, float longest) {
+    LeafView(const LocalRay& ray, float t_in, float t_out, const SegmentScene& scene) {
         t = 0.5f * (t_in + t_out);
         for (int axis = 0; axis < 3; ++axis) {
-            const double point = ray.origin[axis] + double(t) * double(ray.direction[axis]);
-            middle[axis] = float(point);
-            rest[axis] = float(point - double(middle[axis]));
+            point[axis] = ray.origin[axis] + double(t) * double(ray.direction[axis]);
+            middle[axis] = float(point[axis]);
         }
         // Rounding moves the triple product of the line test by at most kRounding |start - middle| |d| |axis|. Where
         // ray and axis are nearly parallel that is more than the radius allows.
         constexpr float kRounding = 4 * 0x1p-23f;
-        const float reach = longest + (t_out - t);
-        slack = square(kRounding * reach * longest) * (4 * ray.squared);
+        const float reach = scene.longest + 4 * (t_out - t);  // |d| is below 2 sqrt(3)
+        slack = square(kRounding * reach * scene.longest) * (4 * ray.squared);
+    }
+    /// What was lost in rounding: middle + rest is the point to twice single precision.
+    Floats3 rest() const {
+        float values[3];
+        for (int axis = 0; axis < 3; ++axis) values[axis] = float(point[axis] - double(middle[axis]));
+        return spread(values);
     }
 };
 
 /// Calls on_hits(block, lane, hits) for each vector of lanes, in order, of which some are met, until it returns true;
 /// returns whether it did.
 template <Ends kEnds, bool kVarying, class OnHits>
-HWY_INLINE bool meet_segments(const KdTree& tree, const LocalRay& ray, const KdNode& leaf, const LeafView& view,
+HWY_INLINE bool meet_segments(const SegmentScene& scene, const LocalRay& ray, const KdNode& leaf, const LeafView& view,
                               const OnHits& on_hits) {
     const FloatTag tag;
     const Floats zero = hn::Zero(tag), one = hn::Set(tag, 1.0f);
-    const Floats3 d = spread(ray.direction), middle = spread(view.middle), rest = spread(view.rest);
-    const Floats slack = hn::Set(tag, view.slack);
+    const Floats3 d = spread(ray.direction), middle = spread(view.middle);
+    const Floats widening = hn::Set(tag, scene.rounding), slack = hn::Set(tag, view.slack);
+    const float inverse_squared = 1 / ray.squared;
     constexpr uint32_t kRows = kVarying ? segment_row::kVaryingRadius : segment_row::kConstantRadius;
-    const float* block = tree.leaves.block(leaf.first_block());
-    const float* end = block + size_t(blocks_for(leaf.references())) * kRows * kLanes;
-    for (; block != end; block += kRows * kLanes) {
+    const float* block = scene.tree.leaves.block(leaf.first_block());
+    const float* last = block + size_t(blocks_for(leaf.references())) * kRows * kLanes;
+    for (; block != last; block += kRows * kLanes) {
         for (size_t lane = 0; lane < kLanes; lane += hn::Lanes(tag)) {
-            const Floats3 a = (load_rows(block + segment_row::x * kLanes, lane) - middle) - rest;
+            const Floats3 start = load_rows(block + segment_row::x * kLanes, lane) - middle;
             const Floats3 axis = load_rows(block + segment_row::dx * kLanes, lane);
             const Floats start_radius = hn::Load(tag, block + segment_row::radius * kLanes + lane);
-            Floats slope = zero, largest = start_radius;
+            Floats slope = zero, largest = hn::Add(start_radius, widening);
             if constexpr (kVarying) {
                 slope = hn::Load(tag, block + segment_row::radius_slope * kLanes + lane);
-                largest = hn::Max(start_radius, hn::Add(start_radius, slope));
+                largest = hn::Add(largest, hn::Max(slope, zero));
             }
             const Floats3 n = cross(d, axis);
-            const Floats triple = dot(a, n), nn = dot(n, n);
-            const Lanes near = hn::Le(hn::Mul(triple, triple), hn::Add(hn::Mul(hn::Mul(largest, largest), nn), slack));
+            const Floats line = dot(start, n), nn = dot(n, n);
+            const Lanes near = hn::Le(hn::Mul(line, line), hn::Add(hn::Mul(hn::Mul(largest, largest), nn), slack));
             if (HWY_LIKELY(hn::AllFalse(tag, near))) continue;
 
             // Closest approach: u of the axis, then the part across the ray of the point there. An axis that is
             // parallel to the ray up to rounding is met at its start.
+            const Floats3 rest = view.rest();
+            const Floats3 a = start - rest;
             constexpr float kParallel = 1e-12f;  // sine squared
-            const Floats squared = hn::Set(tag, ray.squared);
             const Lanes oblique = hn::Gt(nn, hn::Mul(hn::Set(tag, kParallel * ray.squared), dot(axis, axis)));
             const Floats from_start = dot(cross(d, a), n);
             const Floats u_line = hn::IfThenElseZero(oblique, hn::Neg(hn::Div(from_start, nn)));
             const Floats u = hn::Min(hn::Max(u_line, zero), one);
             const Floats3 closest = a + u * axis;
-            const Floats t = hn::Div(dot(closest, d), squared);
+            const Floats t = hn::Mul(dot(closest, d), hn::Set(tag, inverse_squared));
             const Floats3 across = closest - t * d;
             const Floats radius = kVarying ? hn::Add(start_radius, hn::Mul(u, slope)) : start_radius;
             Lanes met = hn::And(near, hn::Le(dot(across, across), hn::Mul(radius, radius)));
             if constexpr (kEnds == Ends::open) {
                 // 0 <= u < 1, asked at the ends: of two segments that share one, both see the same numbers there.
-                const Floats3 start = load_rows(block + segment_row::x * kLanes, lane);
-                const Floats3 b = ((start + axis) - middle) - rest;
+                const Floats3 end = load_rows(block + segment_row::x * kLanes, lane) + axis;
+                const Floats3 b = (end - middle) - rest;
                 const Floats from_end = dot(cross(d, b), n);
                 const Lanes inside = hn::And(hn::Le(from_start, zero), hn::Gt(from_end, zero));
                 met = hn::And(met, hn::Or(inside, hn::Not(oblique)));
             }
             if (hn::AllFalse(tag, met)) continue;
             met = hn::And(met, may_meet(load_identities(block + segment_row::id * kLanes, lane), ray));
-            const Floats side = hn::IfThenElseZero(oblique, hn::Neg(hn::Div(triple, hn::Sqrt(nn))));
+            const Floats side = hn::IfThenElseZero(oblique, hn::Neg(hn::Div(dot(a, n), hn::Sqrt(nn))));
             if (on_hits(block, lane, SegmentHits{met, hn::Add(t, hn::Set(tag, view.t)), u, side, radius})) return true;
         }
     }
