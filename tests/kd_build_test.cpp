@@ -257,8 +257,7 @@ TEST_CASE("blocks hold segments relative to the origin, and lanes left over meet
         CHECK(std::bit_cast<uint32_t>(lane_value(tree, leaf, lane, row::id)) == kNone);
         CHECK(lane_value(tree, leaf, lane, row::radius) == 0);
         CHECK(lane_value(tree, leaf, lane, row::dx) == 0);
-        CHECK(lane_value(tree, leaf, lane, row::x) > 1e15f);
-        CHECK(std::isfinite(square(lane_value(tree, leaf, lane, row::x))));
+        CHECK(std::isnan(lane_value(tree, leaf, lane, row::x)));  // no comparison with it holds
     }
     SegmentView linked = set.view();
     linked.linked = true;
