@@ -44,7 +44,7 @@ TEST_CASE("includes follow the arrows: tools -> io -> core, tools -> gather -> a
             for (const char* other : {"core", "accel", "gather", "io", "tools", "tests"}) {
                 if (allowed.count(other)) continue;
                 CAPTURE(include.file);
-                CHECK_FALSE(names(include.text, "\"" + std::string(other) + "/"));
+                CHECK_FALSE(names(include.text, std::string("\"").append(other).append("/")));
             }
         }
     }

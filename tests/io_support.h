@@ -69,7 +69,7 @@ inline bool is_one_line(const std::string& text) { return !text.empty() && !cont
 /// A file of the real data that TRESS_DATA names the folder of; none where it is unset, which is said.
 inline std::optional<std::string> real_file(const std::string& name) {
     const char* folder = std::getenv("TRESS_DATA");
-    if (!folder) {
+    if (!folder || !*folder) {
         MESSAGE("TRESS_DATA is not set: skipped " << name);
         return std::nullopt;
     }

@@ -12,7 +12,8 @@ using namespace tress;
 using namespace tress::test;
 
 TEST_CASE("every scene on real hair renders: over a million segments, finite, with hair in the picture") {
-    if (!std::getenv("TRESS_DATA")) {
+    const char* data = std::getenv("TRESS_DATA");
+    if (!data || !*data) {
         MESSAGE("skipped: TRESS_DATA does not name a folder of hair data");
         return;
     }

@@ -6,8 +6,8 @@ namespace {
 
 constexpr uint64_t kSegments = 1'200'000;
 constexpr double kTurn = 32;  // degrees about +y: three quarters of the face
-constexpr Rgb kSkin(0.65f, 0.45f, 0.36f);
-constexpr Rgb kRed(0.62f, 0.16f, 0.10f), kTeal(0.10f, 0.36f, 0.42f), kNeutral(0.66f, 0.64f, 0.60f);
+constexpr Rgb kSkin(0.5f, 0.33f, 0.25f);
+constexpr Rgb kRed(0.62f, 0.16f, 0.10f), kTeal(0.10f, 0.36f, 0.42f), kNeutral(0.34f, 0.33f, 0.32f);
 
 // The room: wide enough for the shoulders, narrow enough that the walls are in the picture.
 constexpr double kHalfWidth = 26, kFloor = -30.05, kCeiling = 34, kBack = -52, kFront = 45;
@@ -22,8 +22,8 @@ HairDescription hair() {
     hair.groom = "wavy";
     hair.segments = kSegments;
     hair.placement = turned(kTurn);
-    hair.fiber.absorption = Melanin{0.22f, 0.4f};  // auburn
-    hair.fiber.parameters.beta_m = 0.25f;
+    hair.fiber.absorption = Melanin{0.25f, 0.5f};  // auburn
+    hair.fiber.parameters.beta_m = 0.2f;
     return hair;
 }
 
@@ -53,22 +53,24 @@ QuadLight lamp(const DVec3& center, const DVec3& target, double width, double he
     return {center - 0.5 * (across + up), {across, up}, radiance};
 }
 
-/// A warm key from the left, a weak cool fill from the right, a rim from above and behind, and a little sky.
+/// A warm key from the left, a weak cool fill from the right, two rims from behind that shine through the hair, and a
+/// little sky.
 std::vector<Light> lights() {
     const DVec3 head(0, 0, 0);
     return {
-        lamp({-17, 28, 40}, head, 24, 18, Rgb(38, 34, 29)),
-        lamp({24, 8, 44}, head, 18, 18, Rgb(5.5f, 6.2f, 7.2f)),
-        lamp({3, 32, -30}, head, 26, 10, Rgb(17, 18, 19)),
-        EnvironmentLight{.file = {}, .image = {}, .radiance = Rgb(0.36f, 0.38f, 0.42f), .rotation = 0},
+        lamp({-24, 24, 46}, head, 26, 20, Rgb(46, 42, 37)),
+        lamp({24, 8, 44}, head, 18, 18, Rgb(6.3f, 7, 8)),
+        lamp({-23, 22, -36}, head, 10, 22, Rgb(26, 25, 23)),
+        lamp({23, 22, -36}, head, 10, 22, Rgb(21, 23, 26)),
+        EnvironmentLight{.file = {}, .image = {}, .radiance = Rgb(0.24f, 0.25f, 0.28f), .rotation = 0},
     };
 }
 
 Camera camera() {
     Camera camera;
-    camera.from = {0, 2, 80};
-    camera.to = {0, -2.5, 0};
-    camera.fov = 26;
+    camera.from = {0, 3, 80};
+    camera.to = {0, -3, 0};
+    camera.fov = 27;
     camera.width = camera.height = 768;
     return camera;
 }
