@@ -207,6 +207,7 @@ TEST_CASE("bad usage is refused") {
         {"render", scene, "-o", exr, "--sppp", "4"},
         {"render", scene, "-o", exr, "--size", "0x5"},
         {"render", scene, "-o", exr, "--size", "99999999999x5"},
+        {"render", scene, "-o", exr, "--size", "32768x32768"},
         {"render", scene, "-o", exr, "--isa", "altivec"},
         {"render", scene, "-o", exr, "--type1", "magic"},
         {"render", scene, "-o", exr, "--set", "accel.bin=3"},

@@ -6,6 +6,7 @@
 
 #include "core/builtin_scene.h"
 #include "core/error.h"
+#include "core/film.h"
 #include "io/scene_file.h"
 
 namespace tress {
@@ -57,6 +58,7 @@ SceneDescription describe(const SceneArguments& arguments) {
     for (const std::string& assignment : arguments.sets) set_option(scene.options, assignment);
     for (const auto& [key, text] : arguments.flags) set_option(scene.options, "--" + key, key, text);
     if (!arguments.size.empty()) set_size(scene.camera, arguments.size);
+    check_film_size(scene.camera.width, scene.camera.height);
     return scene;
 }
 

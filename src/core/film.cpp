@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "core/error.h"
+
 namespace tress {
 namespace {
 
@@ -61,6 +63,13 @@ Layer depth_layer(const Film& film) {
 }
 
 }  // namespace
+
+void check_film_size(int width, int height) {
+    constexpr int64_t most_pixels = int64_t(1) << 26;  // 8192 x 8192: about 10 GB of sums
+    if (width < 1 || height < 1 || int64_t(width) * height > most_pixels)
+        throw InputError("size", std::to_string(width) + "x" + std::to_string(height) +
+                                     " pixels, expected at least 1x1 and at most 2^26 in all");
+}
 
 Film make_film(int width, int height, const Plan& plan) {
     const size_t n = size_t(width) * size_t(height);

@@ -28,6 +28,8 @@ struct Film {
     std::vector<uint32_t> hits, samples;
 };
 
+/// Throws InputError where the picture has no pixels or more than a film is made for.
+void check_film_size(int width, int height);
 Film make_film(int width, int height, const Plan& plan);
 void add(Film& film, size_t pixel, const FilmSample& sample);
 size_t bytes(const Film& film);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads a scene file (JSON; its keys are the names in core/scene_description.h and core/light.h). Names of files in it
-// are relative to it, and ${NAME} in them stands for what the environment says; the description holds them ready to
-// open.
+// Reads a scene file (JSON; its keys are in docs/scene.md). Names of files in it are relative to it, and ${NAME} in
+// them stands for what the environment says; the description holds them ready to open.
 #pragma once
 
 #include <string>
