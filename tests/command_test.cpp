@@ -61,13 +61,13 @@ std::string scene_of(const std::string& hair_file) {
 }  // namespace
 
 TEST_CASE("render writes an EXR with layers, a PNG beside it, and figures") {
-    const TemporaryFolder folder;
-    const std::string scene = folder.write("scene.json", kSmallScene), exr = folder.file("a.exr");
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene), exr = folder.file("a.exr");
     const CommandResult r = run_tress({"render", scene, "-o", exr, "--stats", folder.file("s.json"), "--quiet"});
     CAPTURE(r.error);
     REQUIRE(r.exit_code == 0);
     CHECK(r.error.empty());
-    CHECK(read_text(folder.file("a.png")).substr(1, 3) == "PNG");
+    CHECK(read_bytes(folder.file("a.png")).substr(1, 3) == "PNG");
 
     const LayeredImage picture = read_exr(exr);
     CHECK(picture.width == 32);
@@ -77,7 +77,7 @@ TEST_CASE("render writes an EXR with layers, a PNG beside it, and figures") {
     CHECK(std::any_of(picture.metadata.begin(), picture.metadata.end(),
                       [](const auto& entry) { return entry.first == "tress.options.spp" && entry.second == "2"; }));
 
-    const Json stats = Json::parse(read_text(folder.file("s.json")));
+    const Json stats = Json::parse(read_bytes(folder.file("s.json")));
     for (const char* key : {"seconds", "stages", "left_out", "spp", "threads", "isa", "peak_rss_bytes", "segments",
                             "dropped_segments", "options"})
         CHECK(stats.contains(key));
@@ -86,14 +86,14 @@ TEST_CASE("render writes an EXR with layers, a PNG beside it, and figures") {
 }
 
 TEST_CASE("figures and plan name the same stages") {
-    const TemporaryFolder folder;
-    const std::string scene = folder.write("scene.json", kSmallScene);
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene);
     const CommandResult plan = run_tress({"plan", scene, "--json"});
     REQUIRE(plan.exit_code == 0);
     const CommandResult r =
         run_tress({"render", scene, "-o", folder.file("a.exr"), "--stats", folder.file("s.json"), "--quiet"});
     REQUIRE(r.exit_code == 0);
-    const Json planned = Json::parse(plan.output), stats = Json::parse(read_text(folder.file("s.json")));
+    const Json planned = Json::parse(plan.output), stats = Json::parse(read_bytes(folder.file("s.json")));
     CHECK(planned["left_out"] == stats["left_out"]);
     for (const Json& stage : stats["stages"]) {
         const auto same_name = [&](const Json& item) { return item["name"] == stage["name"]; };
@@ -104,8 +104,8 @@ TEST_CASE("figures and plan name the same stages") {
 }
 
 TEST_CASE("pixels do not depend on the number of threads, and scalar code repeats itself") {
-    const TemporaryFolder folder;
-    const std::string scene = folder.write("scene.json", kSmallScene);
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene);
     const auto pixels = [&](const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"render", scene, "-o", folder.file("a.exr"), "--quiet"};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -121,14 +121,14 @@ TEST_CASE("pixels do not depend on the number of threads, and scalar code repeat
 }
 
 TEST_CASE("a file of NaN points renders what is left and counts what was dropped") {
-    const TemporaryFolder folder;
-    folder.write("nan.hair", small_hair(NAN));
-    const std::string scene = folder.write("scene.json", scene_of("nan.hair"));
+    const Folder folder;
+    write_bytes(folder.file("nan.hair"), small_hair(NAN));
+    const std::string scene = write_bytes(folder.file("scene.json"), scene_of("nan.hair"));
     const CommandResult r =
         run_tress({"render", scene, "-o", folder.file("a.exr"), "--stats", folder.file("s.json"), "--quiet"});
     CAPTURE(r.error);
     REQUIRE(r.exit_code == 0);
-    const Json stats = Json::parse(read_text(folder.file("s.json")));
+    const Json stats = Json::parse(read_bytes(folder.file("s.json")));
     CHECK(stats["segments"] == 1);
     CHECK(stats["dropped_segments"] == 1);
 }
@@ -147,25 +147,25 @@ TEST_CASE("bad hair files are refused") {
     };
     for (const auto& [what, content] : bad) {
         CAPTURE(what);
-        const TemporaryFolder folder;
-        folder.write("bad.hair", content);
-        const std::string scene = folder.write("scene.json", scene_of("bad.hair"));
+        const Folder folder;
+        write_bytes(folder.file("bad.hair"), content);
+        const std::string scene = write_bytes(folder.file("scene.json"), scene_of("bad.hair"));
         const CommandResult r = run_tress({"render", scene, "-o", folder.file("a.exr"), "--quiet"});
         check_refused(r);
         CHECK(r.error.find("bad.hair") != std::string::npos);
-        CHECK(folder.names().size() == 2);  // nothing left behind
+        CHECK(folder.entries() == 2);  // nothing left behind
     }
 }
 
 TEST_CASE("bad scenes, meshes and pictures are refused") {
-    const TemporaryFolder folder;
-    folder.write("good.hair", small_hair(1));
-    folder.write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
-    folder.write("liar.ply",
-                 "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
-                 "property float y\nproperty float z\nelement face 4000000000\n"
-                 "property list uchar int vertex_indices\nend_header\nshort");
-    folder.write("text.exr", "this is not an EXR file");
+    const Folder folder;
+    write_bytes(folder.file("good.hair"), small_hair(1));
+    write_bytes(folder.file("index.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    write_bytes(folder.file("liar.ply"),
+                "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
+                "property float y\nproperty float z\nelement face 4000000000\n"
+                "property list uchar int vertex_indices\nend_header\nshort");
+    write_bytes(folder.file("text.exr"), "this is not an EXR file");
     const std::string hair = R"("hair": [{"file": "good.hair"}])";
     const std::pair<std::string, const char*> bad[] = {
         {R"({"hiar": []})", "hair"},
@@ -186,7 +186,7 @@ TEST_CASE("bad scenes, meshes and pictures are refused") {
     };
     for (const auto& [text, named] : bad) {
         CAPTURE(text);
-        const std::string scene = folder.write("scene.json", text);
+        const std::string scene = write_bytes(folder.file("scene.json"), text);
         const CommandResult r = run_tress({"render", scene, "-o", folder.file("a.exr"), "--quiet"});
         check_refused(r);
         if (std::strcmp(named, "scene.json") != 0) CHECK(r.error.find(named) != std::string::npos);
@@ -195,9 +195,9 @@ TEST_CASE("bad scenes, meshes and pictures are refused") {
 }
 
 TEST_CASE("bad usage is refused") {
-    const TemporaryFolder folder;
-    const std::string scene = folder.write("scene.json", kSmallScene), exr = folder.file("a.exr");
-    folder.write("plain", "a file where a folder should be");
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene), exr = folder.file("a.exr");
+    write_bytes(folder.file("plain"), "a file where a folder should be");
     const std::vector<std::vector<std::string>> bad = {
         {},
         {"rendre"},
@@ -230,13 +230,13 @@ TEST_CASE("bad usage is refused") {
         for (const std::string& argument : arguments) line += argument + " ";
         CAPTURE(line);
         check_refused(run_tress(arguments));
-        CHECK(folder.names().size() == 2);
+        CHECK(folder.entries() == 2);
     }
 }
 
 TEST_CASE("groom, info and compare work on what the others write") {
-    const TemporaryFolder folder;
-    const std::string hair = folder.file("w.hair"), scene = folder.write("scene.json", kSmallScene);
+    const Folder folder;
+    const std::string hair = folder.file("w.hair"), scene = write_bytes(folder.file("scene.json"), kSmallScene);
     REQUIRE(run_tress({"groom", "wavy", "-o", hair, "--segments", "5000"}).exit_code == 0);
     const CommandResult info = run_tress({"info", hair, "--json"});
     REQUIRE(info.exit_code == 0);

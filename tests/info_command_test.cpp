@@ -1,32 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <sys/wait.h>
-
-#include <cstdio>
-
 #include "io/hair_file.h"
 #include "tests/io_support.h"
+#include "tests/run_command.h"
 
 using namespace tress;
 using namespace tress::test;
-
-namespace {
-
-/// What the command prints, on both of its outputs, and the status it ends with.
-struct Run {
-    std::string text;
-    int status = -1;
-};
-
-Run run_info(const std::string& arguments) {
-    Run run;
-    std::FILE* pipe = popen((std::string(TRESS_COMMAND) + " info " + arguments + " 2>&1").c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) run.text += char(c);
-    run.status = WEXITSTATUS(pclose(pipe));
-    return run;
-}
-
-}  // namespace
 
 TEST_CASE("info says what a hair file, a mesh file and a scene of both hold") {
     const Folder folder;
@@ -38,28 +16,28 @@ TEST_CASE("info says what a hair file, a mesh file and a scene of both hold") {
     write_bytes(folder.file("a.obj"), "v 0 0 4\nv 1 0 4\nv 0 1 4\nf 1 2 3\n");
     write_bytes(folder.file("a.json"), R"({"hair": [{"file": "a.hair"}], "meshes": [{"file": "a.obj"}]})");
 
-    const Run of_hair = run_info(folder.file("a.hair") + " --json");
-    CHECK(of_hair.status == 0);
+    const CommandResult of_hair = run_tress({"info", folder.file("a.hair"), "--json"});
+    CHECK(of_hair.exit_code == 0);
     for (const char* part : {"\"strands\": 1", "\"points\": 3", "\"segments\": 2", "\"triangles\": 0"})
-        CHECK(contains(of_hair.text, part));
-    const Run of_mesh = run_info(folder.file("a.obj") + " --json");
-    CHECK(of_mesh.status == 0);
-    CHECK(contains(of_mesh.text, "\"triangles\": 1"));
-    const Run of_scene = run_info(folder.file("a.json"));
-    CAPTURE(of_scene.text);
-    CHECK(of_scene.status == 0);
+        CHECK(contains(of_hair.output, part));
+    const CommandResult of_mesh = run_tress({"info", folder.file("a.obj"), "--json"});
+    CHECK(of_mesh.exit_code == 0);
+    CHECK(contains(of_mesh.output, "\"triangles\": 1"));
+    const CommandResult of_scene = run_tress({"info", folder.file("a.json")});
+    CAPTURE(of_scene.output);
+    CHECK(of_scene.exit_code == 0);
     for (const char* part :
          {"segments          2\n", "triangles         1\n", "[[0.0,0.0,0.0],[1.0,2.0,4.0]]", "[0.125,0.125]"})
-        CHECK(contains(of_scene.text, part));
+        CHECK(contains(of_scene.output, part));
 }
 
 TEST_CASE("info ends with 2 and one line for a bad file") {
     const Folder folder;
     for (const std::string& file :
          {folder.file("none.hair"), folder.path(), write_bytes(folder.file("a.exr"), "text")}) {
-        const Run run = run_info(file);
-        CAPTURE(run.text);
-        CHECK(run.status == 2);
-        CHECK(run.text.find('\n') == run.text.size() - 1);
+        const CommandResult run = run_tress({"info", file});
+        CAPTURE(run.error);
+        CHECK(run.exit_code == 2);
+        CHECK(run.error.find('\n') == run.error.size() - 1);
     }
 }

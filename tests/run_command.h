@@ -8,47 +8,12 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/folder.h"
+
 namespace tress::test {
-
-/// A new folder under the system's temporary one, removed with everything in it.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "tress-test-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
-    std::string write(const std::string& name, const std::string& content) const {
-        std::ofstream(file(name), std::ios::binary) << content;
-        return file(name);
-    }
-    std::vector<std::string> names() const {
-        std::vector<std::string> list;
-        for (const auto& entry : std::filesystem::directory_iterator(path_))
-            list.push_back(entry.path().filename().string());
-        return list;
-    }
-
-private:
-    std::filesystem::path path_;
-};
-
-inline std::string read_text(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 struct CommandResult {
     int exit_code = -1;  // 128 + signal where one ended it
@@ -58,7 +23,7 @@ struct CommandResult {
 };
 
 inline CommandResult run_tress(const std::vector<std::string>& arguments) {
-    const TemporaryFolder folder;
+    const Folder folder;
     const std::string out = folder.file("out"), err = folder.file("err");
     const auto start = std::chrono::steady_clock::now();
     const pid_t child = fork();
@@ -76,8 +41,8 @@ inline CommandResult run_tress(const std::vector<std::string>& arguments) {
     wait4(child, &status, 0, &usage);
     CommandResult result;
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    result.output = read_text(out);
-    result.error = read_text(err);
+    result.output = read_bytes(out);
+    result.error = read_bytes(err);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.peak_megabytes = double(usage.ru_maxrss) / 1024;
     return result;

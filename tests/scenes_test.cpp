@@ -19,13 +19,13 @@ TEST_CASE("every scene on real hair renders: over a million segments, finite, wi
     }
     for (const char* name : {"straight", "harolongo", "sintel", "ponytail"}) {
         CAPTURE(name);
-        const TemporaryFolder folder;
+        const Folder folder;
         const std::string scene = std::string(TRESS_SOURCE_DIR) + "/scenes/" + name + ".json";
         const CommandResult r = run_tress({"render", scene, "-o", folder.file("a.exr"), "--size", "64x64", "--spp", "2",
                                            "--stats", folder.file("s.json"), "--quiet"});
         CAPTURE(r.error);
         REQUIRE(r.exit_code == 0);
-        CHECK(nlohmann::json::parse(read_text(folder.file("s.json")))["segments"].get<uint64_t>() > 1000000);
+        CHECK(nlohmann::json::parse(read_bytes(folder.file("s.json")))["segments"].get<uint64_t>() > 1000000);
         double covered = 0;
         for (const Layer& layer : read_exr(folder.file("a.exr")).layers) {
             for (const float v : layer.data) REQUIRE(std::isfinite(v));

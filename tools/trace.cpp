@@ -15,6 +15,7 @@
 #include "accel/statistics.h"
 #include "core/error.h"
 #include "io/trace_files.h"
+#include "tools/scene_arguments.h"
 
 namespace tress {
 namespace {
@@ -42,10 +43,9 @@ Options options_of(const TraceCommand& command) {
     Options options;
     set_option(options, "--isa", "isa", command.isa);
     for (const std::string& assignment : command.set) {
-        const size_t equals = assignment.find('=');
-        if (equals == std::string::npos || !assignment.starts_with("accel."))
+        if (!assignment.starts_with("accel."))
             throw InputError("--set", "'" + assignment + "', expected accel.key=value");
-        set_option(options, "--set", assignment.substr(0, equals), assignment.substr(equals + 1));
+        set_option(options, assignment);
     }
     return options;
 }
@@ -149,13 +149,12 @@ void time_passes(const Tracer& tracer, const TraceCommand& command, const Answer
     report["rays"] = rays;
     report["mrays_per_second"] = spread_of(rates);
     report["mrays_per_processor_second"] = spread_of(processor_rates);
-    if (command.query == "nearest") {
-        report["hits"] = hits;
-        report["sum_t"] = sum_t;
-    } else {
-        report["mean_hits"] = rays ? crossings / double(rays) : 0.0;
-        report["sum_transmittance"] = sum_transmittance;
-    }
+    const bool nearest = command.query == "nearest";  // figures of the other query are null
+    const auto of = [](bool asked, double value) { return asked ? nlohmann::json(value) : nlohmann::json(); };
+    report["hits"] = nearest ? nlohmann::json(hits) : nlohmann::json();
+    report["sum_t"] = of(nearest, sum_t);
+    report["mean_hits"] = of(!nearest, rays ? crossings / double(rays) : 0.0);
+    report["sum_transmittance"] = of(!nearest, sum_transmittance);
 }
 
 void write_hits(const Tracer& tracer, const std::string& path, const Answers& answers) {
