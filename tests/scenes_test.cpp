@@ -14,7 +14,7 @@ using namespace tress::test;
 TEST_CASE("every scene on real hair renders: over a million segments, finite, with hair in the picture") {
     const char* data = std::getenv("TRESS_DATA");
     if (!data || !*data) {
-        MESSAGE("skipped: TRESS_DATA does not name a folder of hair data");
+        MESSAGE("skipped whole: TRESS_DATA does not name a folder of hair data");
         return;
     }
     for (const char* name : {"straight", "harolongo", "sintel", "ponytail"}) {
