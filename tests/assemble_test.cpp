@@ -67,3 +67,29 @@ TEST_CASE("segments know their fiber") {
     CHECK(fiber_of(scene, 1) == 0);
     CHECK(fiber_of(scene, 2) == 1);
 }
+
+TEST_CASE("a colour with a channel at 0 absorbs all of it and keeps its hair") {
+    PlacedHair red = upright_fibers({{0, 0}}, 1, 0.1f, white_fiber());
+    red.strands.color.assign(red.strands.points(), Rgb(1, 0, 0));
+    const Scene scene = assemble({red}, {}, {}, {});
+    CHECK(scene.segments.point.size() == 1);
+    CHECK(scene.segments.dropped == 0);
+    CHECK(std::isinf(scene.sigma_a[0].y));
+}
+
+TEST_CASE("what a ray leaves by identity reaches some radii along a finely cut strand, and no farther") {
+    PlacedHair fine;
+    fine.strands.constant_radius = 1;
+    fine.strands.first = {0, 101, 202};
+    for (int strand = 0; strand < 2; ++strand)
+        for (int i = 0; i <= 100; ++i) fine.strands.add_point({50.0f * float(strand), float(i), 0});
+    fine.fiber = white_fiber();
+    const Scene scene = assemble({fine}, {}, {}, {});
+    const SegmentView segments = view(scene.hair, scene.segments);
+    const SegmentRange middle = own_strand(segments, 50), end = own_strand(segments, 99),
+                       next = own_strand(segments, 100);
+    CHECK(middle.first == 50 - uint32_t(kOwnStrandRadii));
+    CHECK(middle.last == 50 + uint32_t(kOwnStrandRadii));
+    CHECK(end.last == 99);
+    CHECK(next.first == 100);
+}

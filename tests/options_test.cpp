@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <charconv>
+#include <cmath>
 #include <set>
 
 #include "core/error.h"
@@ -16,6 +18,21 @@ TEST_CASE("every option reads back the text it writes") {
         const std::string before = option_text(field);
         CHECK_NOTHROW(set_option(options, "test", field.key, before));
         CHECK(option_text(field) == before);
+    }
+}
+
+TEST_CASE("both ends of a stated range are accepted") {
+    Options options;
+    for (const OptionField& field : option_fields(options)) {
+        if (std::holds_alternative<bool*>(field.value) || std::holds_alternative<Choice>(field.value)) continue;
+        for (const double end : {field.lowest, field.highest}) {
+            if (end > 1e15) continue;  // of the seed: its text has an exponent
+            char text[64];
+            *std::to_chars(text, text + sizeof text, end, std::chars_format::general).ptr = 0;
+            const bool whole = end == std::floor(end) && end < 1e15;
+            CAPTURE(field.key);
+            CHECK_NOTHROW(set_option(options, "test", field.key, whole ? std::to_string(int64_t(end)) : text));
+        }
     }
 }
 

@@ -64,3 +64,12 @@ TEST_CASE("every stage is either built or left out, once") {
                 for (const PlanItem& item : *items) CHECK_FALSE(item.why.empty());
         }
 }
+
+TEST_CASE("the sky is kept where nothing is left to hit: the camera sees it") {
+    PlacedHair thin = upright_fibers({{0, 0}}, 1, 0, white_fiber());
+    const Scene scene = assemble({thin}, {}, {EnvironmentLight{}, PointLight{}}, {});
+    CHECK(scene.segments.point.empty());
+    const Plan plan = make_plan(scene, {});
+    CHECK(plan.type2_lights.size() == 1);
+    CHECK(plan.type1_lights.empty());
+}

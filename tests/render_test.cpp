@@ -223,3 +223,79 @@ TEST_CASE("a bad segment is dropped and the rest of the groom renders as without
     const Rendered a = render(assemble({good}, {}, lights, camera), options), b = render(with_bad, options);
     CHECK(a.layer("")->data == b.layer("")->data);
 }
+
+TEST_CASE("a lamp in the plane of a ceiling lights as one just below it") {
+    Options options;
+    options.spp = 16;
+    const auto mean_light = [&](double gap) {
+        PlacedMesh ceiling = square(20, Rgb(0.5f)), floor = square(5, Rgb(0.5f));
+        ceiling.placement.m = {0.8, 0, 0.6, 1.2, 0, 1, 0, 0, -0.6, 0, 0.8, 9.1};  // tilted, so that rounding shows
+        const DVec3 down(-0.6, 0, -0.8), along(0.8, 0, -0.6), middle(1.2, 0, 9.1);
+        const QuadLight lamp{middle - along + gap * down, {DVec3(0, 1, 0), along}, Rgb(5)};
+        Camera camera = camera_on_z(4, 60, 16);
+        const Rendered r = render(assemble({}, {ceiling, floor}, {lamp}, camera), options);
+        double sum = 0;
+        for (const float v : r.layer("type1")->data) sum += double(v);
+        return sum;
+    };
+    REQUIRE(mean_light(0.01) > 0);
+    CHECK(mean_light(0) == doctest::Approx(mean_light(0.01)).epsilon(0.01));  // the gap itself moves the lamp by 0.1 %
+}
+
+TEST_CASE("a grazing lamp does not make a large floor shadow itself") {
+    Options options;
+    options.spp = 1;
+    for (const float half : {10.0f, 1e3f, 1e5f}) {
+        PlacedMesh floor = square(half, Rgb(1));
+        floor.placement.m = {0.8, 0, 0.6, 0, 0, 1, 0, 0, -0.6, 0, 0.8, 0};
+        const DVec3 normal(0.6, 0, 0.8), along(0.8, 0, -0.6);
+        Camera camera;
+        camera.from = 4.0 * normal;
+        camera.to = {0, 0, 0};
+        camera.width = camera.height = 32;
+        const DistantLight lamp{-(0.05 * normal + along), Rgb(1)};
+        const Rendered r = render(assemble({}, {floor}, {lamp}, camera), options);
+        int dark = 0;
+        for (size_t i = 0; i < 32 * 32; ++i) dark += r.layer("type1")->data[3 * i] <= 0;
+        CAPTURE(half);
+        CHECK(dark == 0);
+    }
+}
+
+TEST_CASE("the albedo layer shows the segment that is hit, lit or not") {
+    PlacedHair hair;
+    hair.strands.constant_radius = 0.2f;
+    hair.strands.first = {0, 3};
+    for (const float y : {-2.0f, 0.0f, 2.0f}) hair.strands.add_point({0, y, 0});
+    hair.strands.color = {Rgb(0.9f, 0.1f, 0.1f), Rgb(0.1f, 0.9f, 0.1f), Rgb(0.1f, 0.9f, 0.1f)};
+    hair.fiber = white_fiber();
+    Camera camera = camera_on_z(10, 0.1, 1);
+    camera.from.y = camera.to.y = 1;
+    Options options;
+    options.spp = 1;
+    for (const std::vector<Light>& lights : {std::vector<Light>{}, std::vector<Light>{EnvironmentLight{}}}) {
+        const Rendered r = render(assemble({hair}, {}, lights, camera), options);
+        CHECK(r.layer("albedo")->data[1] > r.layer("albedo")->data[0]);  // green, as its segment is
+    }
+}
+
+TEST_CASE("scenes a billion times larger or smaller render without NaN, and alike") {
+    Options options;
+    options.spp = 4;
+    std::vector<double> means;
+    for (const double scale : {1.0, 0x1p30, 0x1p-30}) {
+        PlacedHair hair = upright_fibers({{-0.3f, 1}, {0, 1}, {0.3f, 1}}, 1, 0.05f, white_fiber());
+        PlacedMesh floor = square(2, Rgb(0.5f));
+        for (auto* placement : {&hair.placement, &floor.placement})
+            placement->m[0] = placement->m[5] = placement->m[10] = scale;
+        Camera camera = camera_on_z(10 * scale, 30, 16);
+        const DistantLight lamp{{0.1, 0, -1}, Rgb(1)};
+        const Rendered r = render(assemble({hair}, {floor}, {lamp}, camera), options);
+        CHECK(all_finite(r.picture));
+        double sum = 0;
+        for (const float v : r.layer("type1")->data) sum += double(v);
+        means.push_back(sum);
+    }
+    CHECK(means[1] == means[0]);
+    CHECK(means[2] == means[0]);
+}

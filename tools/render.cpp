@@ -82,6 +82,7 @@ void run(const RenderArguments& arguments) {
     const SceneDescription description = describe(arguments.scene);
     const Options& options = description.options;
     check_outputs(arguments);
+    const Isa isa = used_isa(options.isa);
     const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, size_t(threads));
 
@@ -102,7 +103,7 @@ void run(const RenderArguments& arguments) {
     stats.left_out = plan.left_out;
     stats.spp = state.samples;
     stats.threads = threads;
-    stats.isa = isa_name(options.isa == Isa::automatic ? supported_isas().front() : options.isa);
+    stats.isa = isa_name(isa);
     stats.segments = scene.segments.point.size();
     stats.dropped_segments = scene.segments.dropped;
     if (stats.dropped_segments && !arguments.quiet)

@@ -57,6 +57,7 @@ SceneDescription describe(const SceneArguments& arguments) {
     SceneDescription scene = arguments.scene.empty() ? builtin_scene() : read_scene_file(arguments.scene);
     for (const std::string& assignment : arguments.sets) set_option(scene.options, assignment);
     for (const auto& [key, text] : arguments.flags) set_option(scene.options, "--" + key, key, text);
+    if (arguments.flags.contains("time") && !arguments.flags.contains("spp")) scene.options.spp = kMostSamples;
     if (!arguments.size.empty()) set_size(scene.camera, arguments.size);
     check_film_size(scene.camera.width, scene.camera.height);
     return scene;

@@ -22,7 +22,8 @@ struct SceneArguments {
 /// Adds SCENE, --size, --data, --set and a flag for every option outside a group (--spp, --type1 …).
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
-/// The scene as its file and the command line say it; the command line wins.
+/// The scene as its file and the command line say it; the command line wins. --time without --spp: as many samples as
+/// the time allows.
 SceneDescription describe(const SceneArguments& arguments);
 
 /// Sets an option from "key=value".

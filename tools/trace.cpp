@@ -175,6 +175,7 @@ void print(const nlohmann::json& report, bool as_json) {
 
 void run(const TraceCommand& command) {
     const Options options = options_of(command);
+    used_isa(options.isa);  // refused before any work where the machine cannot run it
     const size_t threads = size_t(command.threads > 0 ? command.threads : int(std::thread::hardware_concurrency()));
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const TraceSegments segments = read_trace_segments(command.segments);

@@ -85,6 +85,11 @@ std::vector<Isa> supported_isas() {
     return isas;
 }
 
+Isa used_isa(Isa isa) {
+    kernels_for(isa);
+    return isa == Isa::automatic ? supported_isas().front() : isa;
+}
+
 void nearest_segment(const KdTree& tree, const RayBatch& rays, const NearestHits& hits, Isa isa) {
     kernels_for(isa).nearest_segment(tree, rays, hits);
 }

@@ -53,6 +53,9 @@ struct Crossings {
 };
 Crossings crossings(const KdTree& tree, const RayBatch& rays, Isa isa);
 
+/// The instruction set that queries asked for `isa` use. Throws InputError where the machine cannot run it.
+Isa used_isa(Isa isa);
+
 /// Instruction sets that this machine and this build can run, best first; scalar is always there.
 std::vector<Isa> supported_isas();
 

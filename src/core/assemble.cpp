@@ -110,9 +110,7 @@ void add_hair(Scene& scene, const std::vector<PlacedHair>& hair) {
     }
     merge_radii(scene, hair);
     merge_absorption(scene, hair);
-    if (!scene.sigma_a.empty()) scene.hair.color = scene.sigma_a;  // so that bad colours drop their segments
     scene.segments = list_segments(scene.hair);
-    scene.hair.color = {};
     const auto& point = scene.segments.point;
     for (const uint32_t first : first_point)
         scene.fiber_segment.push_back(uint32_t(std::lower_bound(point.begin(), point.end(), first) - point.begin()));
@@ -195,10 +193,7 @@ Scene assemble(std::vector<PlacedHair> hair, std::vector<PlacedMesh> meshes, std
     scene.camera = camera;
     scene.camera.from -= scene.origin;
     scene.camera.to -= scene.origin;
-    for (const uint32_t p : scene.segments.point) {
-        scene.bounds.add(scene.hair.point(p));
-        scene.bounds.add(scene.hair.point(p + 1));
-    }
+    scene.bounds = bounds(view(scene.hair, scene.segments));
     for (size_t i = 0; i < scene.mesh.vertices(); ++i) scene.bounds.add(scene.mesh.vertex(i));
     return scene;
 }

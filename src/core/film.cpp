@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/film.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/error.h"
@@ -44,10 +45,6 @@ Layer variance_layer(const Film& film) {
     layer.data.reserve(3 * film.beauty.size());
     for (size_t i = 0; i < film.beauty.size(); ++i) {
         const double n = film.samples[i];
-        if (n < 2) {
-            append(layer.data, glm::dvec3(0));
-            continue;
-        }
         const glm::dvec3 spread = film.squares[i] - film.beauty[i] * film.beauty[i] / n;
         append(layer.data, max(spread, glm::dvec3(0)) / (n * (n - 1)));
     }
@@ -108,7 +105,8 @@ LayeredImage develop(const Film& film) {
     LayeredImage image{film.width, film.height, {beauty_layer(film)}, {}};
     if (!film.type1.empty()) image.layers.push_back(mean_layer(film, "type1", film.type1));
     if (!film.type2.empty()) image.layers.push_back(mean_layer(film, "type2", film.type2));
-    image.layers.push_back(variance_layer(film));
+    const uint32_t most = film.samples.empty() ? 0 : *std::max_element(film.samples.begin(), film.samples.end());
+    if (most > 1) image.layers.push_back(variance_layer(film));
     image.layers.push_back(depth_layer(film));
     image.layers.push_back(mean_layer(film, "albedo", film.albedo));
     return image;

@@ -34,8 +34,10 @@ Film make_film(int width, int height, const Plan& plan);
 void add(Film& film, size_t pixel, const FilmSample& sample);
 size_t bytes(const Film& film);
 
-/// Means of all layers: beauty (R, G, B, A), type1, type2 where present, variance (of the pixel's mean; for the
-/// low-discrepancy samples used here an upper estimate), depth (mean over what was hit; 0 where nothing was), albedo.
+/// Means of all layers: beauty (R, G, B, A; the sum of the types, and the environment where it is seen past everything,
+/// which has no layer of its own and A = 0), type1, type2 where present, variance (from two samples on; of the pixel's
+/// mean; for the low-discrepancy samples used here an upper estimate), depth (mean over what was hit; 0 where nothing
+/// was), albedo.
 LayeredImage develop(const Film& film);
 
 }  // namespace tress

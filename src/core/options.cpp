@@ -3,7 +3,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "core/error.h"
@@ -26,12 +25,19 @@ Choice choice(Enum& value, std::span<const std::string_view> names) {
     return {reinterpret_cast<int*>(&value), names};
 }
 
+/// Ends included: a float's bounds are rounded to float first.
+template <class T>
+bool in_range(T value, const OptionField& field) {
+    using Bound = std::conditional_t<std::is_same_v<T, float>, float, double>;
+    return Bound(value) >= Bound(field.lowest) && Bound(value) <= Bound(field.highest);
+}
+
 template <class T>
 T parse_number(const std::string& where, const OptionField& field, std::string_view text) {
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = error == std::errc() && end == text.data() + text.size();
-    if (!whole || !(double(value) >= field.lowest && double(value) <= field.highest))
+    if (!whole || !in_range(value, field))
         throw InputError(where, "'" + std::string(text) + "' for " + field.key + ", expected " + accepted(field));
     return value;
 }
@@ -67,9 +73,9 @@ std::vector<OptionField> option_fields(Options& o) {
         {"type3", choice(o.type3, kOffOnly), 0, 0, "light from lamps, scattered once on its way"},
         {"type4", choice(o.type4, kOffOnly), 0, 0, "light from lamps, scattered more than once"},
         {"type5", choice(o.type5, kOffOnly), 0, 0, "light from elsewhere, scattered on its way"},
-        {"spp", &o.spp, 1, 1 << 20, "samples a pixel; with time, the most that are taken"},
+        {"spp", &o.spp, 1, kMostSamples, "samples a pixel; with time, the most that are taken"},
         {"time", &o.time, 0, 1e9, "seconds of rendering after which no new pass starts; 0: no limit"},
-        {"seed", &o.seed, 0, double(std::numeric_limits<uint64_t>::max()), "of all random numbers"},
+        {"seed", &o.seed, 0, 0x1p64, "of all random numbers"},
         {"threads", &o.threads, 0, 4096, "0: as many as the machine has"},
         {"isa", choice(o.isa, kIsaNames), 0, 0, "instruction set; auto: the best that the machine has"},
         {"cutoff", &o.cutoff, 0, 0.1, "transmittance below which a ray counts as blocked"},

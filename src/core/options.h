@@ -33,6 +33,8 @@ struct AccelOptions {
     int failed_splits = 0;  // splits dearer than a leaf allowed on a path
 };
 
+inline constexpr int kMostSamples = 1 << 20;  // a pixel
+
 struct FilmOptions {
     float filter_radius = 1.5f;  // pixels; Blackman-Harris, sampled by importance
     float exposure = 0;          // stops, of the PNG only

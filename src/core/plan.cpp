@@ -79,7 +79,8 @@ Plan make_plan(const Scene& scene, const Options& options) {
         const Light& light = scene.lights[i];
         const bool is_environment = std::holds_alternative<EnvironmentLight>(light);
         const std::string name = "light " + std::to_string(i) + " (" + light_name(light) + ")";
-        std::string why = scene.bounds.empty() ? "there is nothing to light" : why_unseen(light, scene.bounds);
+        const bool nothing_to_light = scene.bounds.empty() && !is_environment;  // the camera sees the sky all the same
+        std::string why = nothing_to_light ? "there is nothing to light" : why_unseen(light, scene.bounds);
         if (is_environment && !type2) why = "type2 is off";
         if (!is_environment && !type1) why = "type1 is off";
         if (!why.empty()) {
@@ -94,9 +95,10 @@ Plan make_plan(const Scene& scene, const Options& options) {
     plan.attenuation = plan.hair_tree && lit;
     plan.attenuation ? build(stage::kAttenuation, counted(scene.fibers.size(), "fiber") + " to see lights through")
                      : leave(stage::kAttenuation, plan.hair_tree ? "no light is sampled" : "no hair");
-    plan.hair_colors = plan.hair_tree && !scene.sigma_a.empty();
+    plan.hair_colors = plan.attenuation && !scene.sigma_a.empty();
     plan.hair_colors ? build(stage::kHairColors, "strands have colours of their own")
-                     : leave(stage::kHairColors, "every strand has its fiber's colour");
+                     : leave(stage::kHairColors,
+                             plan.attenuation ? "every strand has its fiber's colour" : "no table asks for them");
     plan.type2_lights.empty()
         ? leave(stage::kEnvironment, type2 ? "no environment shines into the picture" : "type2 is off")
         : build(stage::kEnvironment, counted(plan.type2_lights.size(), "environment") + " to sample by brightness");

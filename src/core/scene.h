@@ -38,7 +38,7 @@ struct Scene {
     std::vector<Rgb> albedo;              // one a surface of `mesh`
     std::vector<Light> lights;
     Camera camera;
-    Bounds bounds;  // of hair points and mesh vertices
+    Bounds bounds;  // of hair, its radii included, and meshes
 };
 
 /// Places everything in double, moves the middle of the hair (without hair: of the meshes) to the origin, and rounds to

@@ -5,8 +5,7 @@ namespace tress {
 namespace {
 
 bool is_valid(const StrandSet& s, uint32_t p) {
-    return is_finite(s.point(p)) && std::isfinite(s.radius_at(p)) && s.radius_at(p) >= 0 &&
-           (s.color.empty() || is_finite(s.color[p]));
+    return is_finite(s.point(p)) && std::isfinite(s.radius_at(p)) && s.radius_at(p) >= 0;
 }
 
 /// Shortest length whose direction is not lost to rounding (16 ulp) or to the fiber's own width.
@@ -47,6 +46,21 @@ SegmentView view(const StrandSet& strands, const SegmentList& list) {
     v.point = list.point;
     v.constant_radius = strands.constant_radius;
     return v;
+}
+
+SegmentRange own_strand(const SegmentView& v, uint32_t segment) {
+    SegmentRange range{segment, segment};
+    if (!v.linked) return range;
+    const float reach = kOwnStrandRadii * glm::max(v.start_radius(segment), v.end_radius(segment));
+    const auto joined = [&](uint32_t before, uint32_t after) { return v.point[before] + 1 == v.point[after]; };
+    const auto span = [&](uint32_t s) { return distance(v.start(s), v.end(s)); };
+    float away = 0;
+    for (; range.first > 0 && away < reach && joined(range.first - 1, range.first); away += span(range.first))
+        --range.first;
+    away = 0;
+    for (; range.last + 1 < v.size() && away < reach && joined(range.last, range.last + 1); away += span(range.last))
+        ++range.last;
+    return range;
 }
 
 Bounds bounds(const SegmentView& segments) {

@@ -43,18 +43,15 @@ SegmentList list_segments(const StrandSet& strands);
 
 SegmentView view(const StrandSet& strands, const SegmentList& list);
 
-/// Segments [first, last] of the same strand that touch `segment`, itself included: what a ray that starts on it must
-/// not meet.
+/// Segments [first, last]: what a ray that starts on one of them must not meet.
 struct SegmentRange {
     uint32_t first, last;
 };
-inline SegmentRange touching(const SegmentView& v, uint32_t segment) {
-    SegmentRange range{segment, segment};
-    if (!v.linked) return range;
-    if (segment > 0 && v.point[segment - 1] + 1 == v.point[segment]) range.first = segment - 1;
-    if (segment + 1 < v.size() && v.point[segment] + 1 == v.point[segment + 1]) range.last = segment + 1;
-    return range;
-}
+
+/// `segment`, those of its strand that touch it, and those within kOwnStrandRadii of its radius along the strand: a ray
+/// that leaves a fiber at 80 degrees to its normal is clear of a straight continuation of it by then.
+inline constexpr float kOwnStrandRadii = 16;
+SegmentRange own_strand(const SegmentView& segments, uint32_t segment);
 
 /// Box of all segments, radii included.
 Bounds bounds(const SegmentView& segments);

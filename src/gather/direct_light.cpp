@@ -25,11 +25,19 @@ struct Connect {
 
     uint32_t dimension() const { return kFirstLightDimension + kDimensionsALight * light; }
 
+    /// A lamp may lie in a polygon's plane, as in a ceiling: the ray stops short of it by the rounding of both ends.
+    float short_of(float distance) const {
+        if (std::isinf(distance)) return distance;
+        constexpr float ulps = 32 * std::numeric_limits<float>::epsilon();
+        return glm::max(distance - ulps * (max_component(abs(point.position)) + distance), 0.0f);
+    }
+
     template <class Lamp>
     Connection operator()(const Lamp& lamp) const {
         const LightSample to = sample(lamp, point.position, sampler.get2(dimension()));
-        if (max_component(to.irradiance) <= 0) return {};
-        return {to.direction, to.distance, bounded(scatter(scene, point, to.direction).value * to.irradiance)};
+        if (!(max_component(to.irradiance) > 0)) return {};
+        return {to.direction, short_of(to.distance),
+                bounded(scatter(scene, point, to.direction).value * to.irradiance)};
     }
 
     /// Half of the directions follow the sky's brightness, half the scattering: the balance heuristic with one sample
@@ -42,7 +50,7 @@ struct Connect {
             by_sky ? sample_environment(sky, {u.x, u.y}).direction : sample_scattering(scene, point, u);
         const Scattering scattered = scatter(scene, point, direction);
         const float pdf = 0.5f * (pdf_environment(sky, direction) + scattered.pdf);
-        if (!(pdf > 0) || max_component(scattered.value) <= 0) return {};
+        if (!(pdf > 0 && max_component(scattered.value) > 0)) return {};
         return {direction, kInfinity, bounded(scattered.value * (radiance(sky, direction) / pdf))};
     }
 };
@@ -59,7 +67,7 @@ void DirectLight::operator()(const Scene& scene, const PreparedScene& prepared, 
         for (uint32_t i = 0; i < points.size(); ++i) {
             const Connection to =
                 std::visit(Connect{scene, prepared, points[i], samplers[i], light}, scene.lights[light]);
-            if (max_component(to.radiance) <= 0) continue;
+            if (!(max_component(to.radiance) > 0)) continue;
             rays_.add(points[i].position, to.direction, to.distance, points[i].excluded);
             point_of_ray_.push_back(i);
             unshadowed_.push_back(to.radiance);

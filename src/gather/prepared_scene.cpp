@@ -45,6 +45,15 @@ size_t make_hair_colors(const Scene& scene, const SegmentView& segments, Attenua
     return vector_bytes(to.sigma_a) + vector_bytes(scene.sigma_a);
 }
 
+size_t make_environments(const Scene& scene, const Plan& plan, std::vector<std::optional<EnvironmentSampler>>& to) {
+    size_t total = 0;
+    for (const uint32_t light : plan.type2_lights) {
+        to[light] = make_environment_sampler(std::get<EnvironmentLight>(scene.lights[light]));
+        total += bytes(*to[light]);
+    }
+    return total;
+}
+
 }  // namespace
 
 PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& options) {
@@ -65,12 +74,8 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
         timed(p.costs, stage::kAttenuation, [&] { return make_attenuation(scene, plan, p.attenuation); });
     if (plan.hair_colors)
         timed(p.costs, stage::kHairColors, [&] { return make_hair_colors(scene, p.segments, p.attenuation); });
-    for (const uint32_t light : plan.type2_lights)
-        timed(p.costs, stage::kEnvironment, [&] {
-            const EnvironmentLight& e = std::get<EnvironmentLight>(scene.lights[light]);
-            p.environment[light] = make_environment_sampler(e);
-            return bytes(*p.environment[light]);
-        });
+    if (!plan.type2_lights.empty())
+        timed(p.costs, stage::kEnvironment, [&] { return make_environments(scene, plan, p.environment); });
     return p;
 }
 

@@ -6,13 +6,15 @@
 namespace tress {
 namespace {
 
-/// How far a ray's origin is lifted off a polygon, in ulp of its largest coordinate: the rounding of the point itself
-/// and of the triangle test's sheared corners stay below this.
-constexpr float kLiftUlps = 32;
-
-Vec3 lifted(const Vec3& p, const Vec3& normal) {
-    const float ulp = max_component(abs(p)) * std::numeric_limits<float>::epsilon();
-    return p + normal * (kLiftUlps * ulp);
+/// A point of a triangle, worked out in double and lifted off it by what rounding may sink it: its own, and that of the
+/// corners as a ray that starts here sees them.
+Vec3 lifted_point(const std::array<Vec3, 3>& corner, float u, float v, const DVec3& normal) {
+    constexpr double epsilon = std::numeric_limits<float>::epsilon(), point_ulps = 32, corner_ulps = 8;
+    const DVec3 a(corner[0]), b(corner[1]), c(corner[2]);
+    const DVec3 p = a + double(u) * (b - a) + double(v) * (c - a);
+    const auto largest = [](const DVec3& x) { return glm::max(glm::max(std::abs(x.x), std::abs(x.y)), std::abs(x.z)); };
+    const double of_corners = glm::max(glm::max(largest(a), largest(b)), largest(c));
+    return Vec3(p + normal * (epsilon * (point_ulps * largest(p) + corner_ulps * of_corners)));
 }
 
 Vec3 shading_normal(const TriangleMesh& mesh, const Hit& hit, const Vec3& geometric) {
@@ -30,7 +32,7 @@ ShadingPoint fiber_point(const Scene& scene, const PreparedScene& prepared, cons
     const SegmentView& segments = prepared.segments;
     const Vec3 start = segments.start(hit.id), axis = segments.end(hit.id) - start;
     const float radius = glm::mix(segments.start_radius(hit.id), segments.end_radius(hit.id), hit.u);
-    const Vec3 tangent = normalize(axis);
+    const Vec3 tangent(normalize(DVec3(axis)));  // in double: a square of 1e-20 is nothing in float
     const Vec3 across = cross(direction, tangent);
     const float width = glm::length(across);
 
@@ -39,7 +41,8 @@ ShadingPoint fiber_point(const Scene& scene, const PreparedScene& prepared, cons
     if (width > 0) point.position += across * (hit.h * radius / width);
     point.frame = fiber_frame(tangent, -direction);
     point.wo = point.frame.to_local(-direction);
-    point.excluded.segments = touching(segments, hit.id);
+    point.excluded.segments = own_strand(segments, hit.id);
+    point.segment = hit.id;
     point.fiber = fiber_of(scene, hit.id);
     point.h = glm::clamp(hit.h, -1.0f, 1.0f);
     point.color =
@@ -49,17 +52,18 @@ ShadingPoint fiber_point(const Scene& scene, const PreparedScene& prepared, cons
 }
 
 ShadingPoint polygon_point(const Scene& scene, const Vec3& direction, const Hit& hit) {
-    const auto [a, b, c] = scene.mesh.triangle(hit.id);
-    Vec3 geometric = normalize(cross(b - a, c - a));
-    Vec3 normal = shading_normal(scene.mesh, hit, geometric);
-    if (dot(geometric, direction) > 0) geometric = -geometric;
-    if (dot(normal, geometric) < 0) normal = -normal;
+    const std::array<Vec3, 3> corner = scene.mesh.triangle(hit.id);
+    const DVec3 a(corner[0]), b(corner[1]), c(corner[2]);
+    DVec3 geometric = normalize(cross(b - a, c - a));
+    Vec3 normal = shading_normal(scene.mesh, hit, Vec3(geometric));
+    if (dot(geometric, DVec3(direction)) > 0) geometric = -geometric;
+    if (dot(normal, Vec3(geometric)) < 0) normal = -normal;
 
     ShadingPoint point;
-    point.position = lifted((1 - hit.u - hit.h) * a + hit.u * b + hit.h * c, geometric);
+    point.position = lifted_point(corner, hit.u, hit.h, geometric);
     point.frame = frame_about(normal);
     point.wo = point.frame.to_local(-direction);
-    point.geometric_normal = geometric;
+    point.geometric_normal = Vec3(geometric);
     point.excluded.triangle = hit.id;
     point.color = scene.albedo[scene.mesh.surface[hit.id]];
     point.depth = hit.t;
@@ -82,10 +86,12 @@ Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm:
     return point.frame.to_world(sample(scene.fibers[point.fiber], point.color, point.wo, point.h, u).wi);
 }
 
-Rgb layer_albedo(const PreparedScene& prepared, const ShadingPoint& point) {
+Rgb layer_albedo(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& point) {
     if (point.fiber == kPolygon) return point.color;
-    if (prepared.attenuation.table.empty() && prepared.attenuation.varying.empty()) return Rgb(0);
-    return exp(-prepared.attenuation.depth(point.excluded.segments.first, 0));
+    const Attenuation& a = prepared.attenuation;
+    const bool unlit = a.table.empty() && a.varying.empty();  // no table was built
+    if (unlit) return forward_albedo(scene.fibers[point.fiber], point.color, 0);
+    return exp(-a.depth(point.segment, 0));
 }
 
 }  // namespace tress

@@ -18,9 +18,10 @@ struct ShadingPoint {
     Vec3 geometric_normal;  // polygon: of the triangle, on the eye's side
     Excluded excluded;      // what rays from here must not meet
     uint32_t fiber = kPolygon;
-    float h = 0;      // fiber: offset of the hit, see fiber.h
-    Rgb color{0};     // fiber: sigma_a; polygon: albedo
-    float depth = 0;  // along the camera ray
+    uint32_t segment = kNone;  // fiber: the one hit
+    float h = 0;               // fiber: offset of the hit, see fiber.h
+    Rgb color{0};              // fiber: sigma_a; polygon: albedo
+    float depth = 0;           // along the camera ray
 };
 
 /// A nearest hit, as queries return it.
@@ -46,6 +47,6 @@ Scattering scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi
 Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u);
 
 /// For the albedo layer: of a polygon its own, of a fiber the share that goes straight through it at normal incidence.
-Rgb layer_albedo(const PreparedScene& prepared, const ShadingPoint& point);
+Rgb layer_albedo(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& point);
 
 }  // namespace tress

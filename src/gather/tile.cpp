@@ -74,7 +74,7 @@ void make_points(const TileContext& context, TileScratch& s) {
                                              : fiber_point(context.scene, context.prepared, direction, hit));
         s.row_of_point.push_back(row);
         s.point_samplers.push_back(s.samplers[row]);
-        s.film[row].albedo = layer_albedo(context.prepared, s.points.back());
+        s.film[row].albedo = layer_albedo(context.scene, context.prepared, s.points.back());
         s.film[row].depth = hit.t;
         s.film[row].hit = true;
     }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <map>
 #include <string_view>
 
@@ -108,7 +109,10 @@ bool find_channels(const Layer& layer, const std::array<const char*, 3>& names, 
     return true;
 }
 
-float as_light(float value) { return value > 0 ? std::min(value, kLargestHalf) : 0; }
+float as_light(float value) {
+    if (!(value > 0)) return 0;
+    return std::isinf(value) ? kLargestHalf : value;  // a sun too bright for the halves it was stored in
+}
 
 }  // namespace
 

@@ -91,7 +91,8 @@ PlacedHair load_hair(const SceneDescription& description, size_t index, LoadRepo
     set_radii(hair, strands);
     if (hair.children.count > 1)
         strands = at_place(description, place, [&] {
-            return grow_children(strands, hair.children.count, hair.children.spread, hash(kChildrenKey, index));
+            return grow_children(strands, hair.children.count, hair.children.spread / hair.placement.scale(),
+                                 hash(kChildrenKey, index));
         });
     report.strands += strands.strands();
     report.points += strands.points();
