@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 
 #include "core/builtin_scene.h"
 #include "core/error.h"
@@ -53,7 +54,8 @@ void set_option(Options& options, const std::string& assignment) {
 }
 
 SceneDescription describe(const SceneArguments& arguments) {
-    if (!arguments.data.empty()) setenv("TRESS_DATA", arguments.data.c_str(), 1);
+    if (!arguments.data.empty())  // relative to where the command runs, not to the scene file
+        setenv("TRESS_DATA", std::filesystem::absolute(arguments.data).c_str(), 1);
     SceneDescription scene = arguments.scene.empty() ? builtin_scene() : read_scene_file(arguments.scene);
     for (const std::string& assignment : arguments.sets) set_option(scene.options, assignment);
     for (const auto& [key, text] : arguments.flags) set_option(scene.options, "--" + key, key, text);
