@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include "accel/queries.h"
+#include "gather/shading_point.h"
 #include "tests/small_scenes.h"
 
 using namespace tress;
@@ -298,4 +299,48 @@ TEST_CASE("scenes a billion times larger or smaller render without NaN, and alik
     }
     CHECK(means[1] == means[0]);
     CHECK(means[2] == means[0]);
+}
+
+TEST_CASE("light of a sky with a small sun is its integral over the sphere, on a fiber and on a polygon") {
+    EnvironmentLight sky;
+    sky.image = make_image(16, 8);
+    for (Rgb& texel : sky.image.pixel) texel = Rgb(0.2f, 0.3f, 0.5f);
+    sky.image.at(9, 2) = Rgb(400, 300, 200);
+    const EnvironmentSampler lookup = make_environment_sampler(sky);
+
+    FiberParameters brown;
+    brown.sigma_a = sigma_a_from_melanin(0.5f, 0.2f);
+    for (const bool on_fiber : {true, false}) {
+        CAPTURE(on_fiber);
+        Camera camera = camera_on_z(10, 1e-4, 1);  // one point: the same offset for all samples
+        camera.from.x = camera.to.x = 0.3;
+        const std::vector<PlacedHair> hair(on_fiber ? 1 : 0, upright_fibers({{0, 0}}, 1, 1, make_fiber(brown)));
+        const std::vector<PlacedMesh> mesh(on_fiber ? 0 : 1, square(1, Rgb(0.5f)));
+        const Scene scene = assemble(hair, mesh, {sky}, camera);
+        Options options;
+        options.spp = 8192;
+        const Rendered r = render(scene, options);
+
+        const Hit hit{10, 0, on_fiber ? 0.5f : 0.65f, on_fiber ? 0.3f : 0.0f};
+        const ShadingPoint point =
+            on_fiber ? fiber_point(scene, r.prepared, {0, 0, -1}, hit) : polygon_point(scene, {0, 0, -1}, hit);
+        glm::dvec3 integral(0);
+        const int rows = 600, columns = 1200;
+        for (int i = 0; i < rows; ++i)
+            for (int k = 0; k < columns; ++k) {
+                const float y = 1 - 2 * (float(i) + 0.5f) / rows, phi = 2 * kPi * (float(k) + 0.5f) / columns;
+                const float radius = safe_sqrt(1 - y * y);
+                const Vec3 wi(radius * std::cos(phi), y, radius * std::sin(phi));
+                integral += glm::dvec3(scatter(scene, point, wi).value * radiance(lookup, wi));
+            }
+        integral *= 4 * double(kPi) / (rows * columns);
+        for (size_t c = 0; c < 3; ++c) {
+            const double standard_error = std::sqrt(double(r.layer("variance")->data[c]));
+            CAPTURE(integral[int(c)]);
+            CAPTURE(standard_error);
+            // Four standard errors, and the midpoint rule's error on bilinear texels and lobes (of order 1e-3 here).
+            CHECK(std::abs(double(r.layer("type2")->data[c]) - integral[int(c)]) <
+                  4 * standard_error + 2e-3 * integral[int(c)]);
+        }
+    }
 }

@@ -12,8 +12,9 @@
 
 namespace tress {
 
-/// Dimensions of the sampler that a light uses: lights start at kFirstLightDimension, each with two groups of its own.
-inline constexpr uint32_t kFirstLightDimension = kSobolGroup, kDimensionsALight = 2 * kSobolGroup;
+/// Dimensions of the sampler that a light uses: lights start at kFirstLightDimension, each with three groups of its
+/// own.
+inline constexpr uint32_t kFirstLightDimension = kSobolGroup, kDimensionsALight = 3 * kSobolGroup;
 
 class DirectLight {
 public:
