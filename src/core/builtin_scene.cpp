@@ -71,7 +71,7 @@ Camera camera() {
     camera.from = {0, 3, 80};
     camera.to = {0, -3, 0};
     camera.fov = 27;
-    camera.width = camera.height = 768;
+    camera.width = camera.height = 640;
     return camera;
 }
 
