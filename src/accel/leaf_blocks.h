@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Leaf data: primitives in blocks of 16, row by row (SoA), so that a vector of any width up to 16 loads one field of
-// its lanes at once. Padding lanes have the identity kNone; as
-// segments they start at no number, so that no test passes them, as triangles they have no area.
+// its lanes at once. Padding lanes have the identity kNone; as segments they start at NaN, so that no test
+// passes them, as triangles they have no area.
 #pragma once
 
 #include <cstdint>

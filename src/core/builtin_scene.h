@@ -6,8 +6,8 @@
 
 namespace tress {
 
-/// Over one million hair segments, the bust of head.h, four walls and a floor open towards the camera, a lamp below the
-/// ceiling, a weaker one behind the head, and a dim sky before the room.
+/// Over one million hair segments, the bust of head.h, a room open towards the camera, a key lamp and a weak fill
+/// before the head, two lamps behind it that shine through the hair, and a dim sky.
 SceneDescription builtin_scene();
 
 }  // namespace tress

@@ -24,11 +24,11 @@ struct ShadingPoint {
     float depth = 0;           // along the camera ray
 };
 
-/// A nearest hit, as queries return it.
+/// A nearest hit, as queries return it (NearestHits in accel/queries.h).
 struct Hit {
     float t;
     uint32_t id;
-    float u, h;
+    float u, h;  // of a triangle h is the barycentric coordinate v
 };
 
 ShadingPoint fiber_point(const Scene& scene, const PreparedScene& prepared, const Vec3& direction, const Hit& hit);
