@@ -29,8 +29,8 @@ TEST_CASE("lights that nobody sees are left out, with the reason") {
     for (const auto& [light, why] : unseen) {
         const Plan plan = plan_with(light);
         CAPTURE(why);
-        CHECK(plan.type1_lights.empty());
-        CHECK(plan.type2_lights.empty());
+        CHECK(plan.lamps.empty());
+        CHECK(plan.environments.empty());
         const PlanItem* item = find(plan.left_out, std::string("light 0 (") + light_name(light) + ")");
         REQUIRE(item);
         CHECK(item->why.find(why) != std::string::npos);
@@ -42,21 +42,22 @@ TEST_CASE("lights that may be seen are kept, also at the edge of their cone or p
          {Light(SpotLight{{0, 0, 30}, {0, 0, 0}, 1, Rgb(1)}), Light(SpotLight{{0, 0, 0.5}, {0, 0, 60}, 1, Rgb(1)}),
           Light(QuadLight{{0, 0, 5}, {{0, 1, 0}, {1, 0, 0}}, Rgb(1)}),
           Light(QuadLight{{-3, 0, 0}, {{0, 1, 0}, {0, 0, 1}}, Rgb(1)})})
-        CHECK(plan_with(light).type1_lights.size() == 1);
+        CHECK(plan_with(light).lamps.size() == 1);
 }
 
 TEST_CASE("every stage is either built or left out, once") {
     Options off;
-    off.type1 = Type1Method::off;
-    off.type2 = Type2Method::off;
+    off.type1 = GatherMethod::off;
+    off.type2 = GatherMethod::off;
     const std::vector<Light> lights = {PointLight{}, EnvironmentLight{}};
     const PlacedHair hair = upright_fibers({{0, 0}}, 1, 0.1f, white_fiber());
     for (const Options& options : {Options{}, off})
         for (const Scene& scene : {assemble({}, {}, {}, {}), assemble({hair}, {}, lights, {}),
                                    assemble({hair}, {square(1, Rgb(1))}, lights, {})}) {
             const Plan plan = make_plan(scene, options);
-            for (const char* name : {stage::kHairTree, stage::kMeshTree, stage::kAttenuation, stage::kHairColors,
-                                     stage::kEnvironment, stage::kCameraRays, stage::kType1, stage::kType2}) {
+            for (const char* name :
+                 {stage::kHairTree, stage::kMeshTree, stage::kAttenuation, stage::kHairColors, stage::kEnvironment,
+                  stage::kPhotons, stage::kPhotonMap, stage::kShownPhotons, stage::kCameraRays}) {
                 CAPTURE(name);
                 CHECK(bool(find(plan.stages, name)) != bool(find(plan.left_out, name)));
             }
@@ -70,6 +71,6 @@ TEST_CASE("the sky is kept where nothing is left to hit: the camera sees it") {
     const Scene scene = assemble({thin}, {}, {EnvironmentLight{}, PointLight{}}, {});
     CHECK(scene.segments.point.empty());
     const Plan plan = make_plan(scene, {});
-    CHECK(plan.type2_lights.size() == 1);
-    CHECK(plan.type1_lights.empty());
+    CHECK(plan.environments.size() == 1);
+    CHECK(plan.lamps.empty());
 }

@@ -165,19 +165,20 @@ TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
         return list;
     };
     const Camera camera = camera_on_z(10, 30, 4);
-    SUBCASE("no hair") {
+    SUBCASE("no hair, lamps alone") {
+        options.type2 = GatherMethod::off;
         const Rendered r = render(assemble({}, {square(1, Rgb(1))}, {PointLight{{0, 0, 3}, Rgb(1)}}, camera), options);
         CHECK(r.prepared.hair.empty());
         CHECK(names(r.prepared.costs) == std::vector<std::string>{stage::kMeshTree});
         CHECK(names(loop_costs(r.state, r.plan)) == std::vector<std::string>{stage::kCameraRays, stage::kType1});
-        CHECK(r.state.film.type2.empty());
+        CHECK(r.state.film.types[1].light.empty());
     }
     SUBCASE("no meshes, no light") {
         const Rendered r =
             render(assemble({upright_fibers({{0, 0}}, 1, 0.1f, white_fiber())}, {}, {}, camera), options);
         CHECK(r.prepared.mesh.empty());
         CHECK(names(r.prepared.costs) == std::vector<std::string>{stage::kHairTree});
-        CHECK(r.state.film.type1.empty());
+        CHECK(r.state.film.types[0].light.empty());
         CHECK(r.prepared.attenuation.table.empty());
     }
     SUBCASE("nothing at all, one pixel") {
@@ -188,8 +189,8 @@ TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
         CHECK(r.layer("")->data == std::vector<float>{0, 0, 0, 0});
     }
     SUBCASE("types switched off") {
-        options.type1 = Type1Method::off;
-        options.type2 = Type2Method::off;
+        options.type1 = GatherMethod::off;
+        options.type2 = options.type3 = GatherMethod::off;
         const Rendered r = render(busy_scene(8), options);
         CHECK(r.prepared.attenuation.table.empty());
         CHECK(names(loop_costs(r.state, r.plan)) == std::vector<std::string>{stage::kCameraRays});
@@ -331,7 +332,7 @@ TEST_CASE("light of a sky with a small sun is its integral over the sphere, on a
                 const float y = 1 - 2 * (float(i) + 0.5f) / rows, phi = 2 * kPi * (float(k) + 0.5f) / columns;
                 const float radius = safe_sqrt(1 - y * y);
                 const Vec3 wi(radius * std::cos(phi), y, radius * std::sin(phi));
-                integral += glm::dvec3(scatter(scene, point, wi).value * radiance(lookup, wi));
+                integral += glm::dvec3(scatter(scene, point, wi).value() * radiance(lookup, wi));
             }
         integral *= 4 * double(kPi) / (rows * columns);
         for (size_t c = 0; c < 3; ++c) {

@@ -98,7 +98,7 @@ TEST_CASE("every key of a scene file arrives where it belongs") {
     CHECK(sky.file == folder.file("sky.exr"));
     CHECK(sky.rotation == -90);
 
-    CHECK(scene.options.type2 == Type2Method::off);
+    CHECK(scene.options.type2 == GatherMethod::off);
     CHECK(scene.options.spp == 16);
     CHECK(scene.options.seed == ~uint64_t(0));
     CHECK(scene.options.cutoff == 1e-4f);

@@ -17,6 +17,7 @@
 // foreach_target.h compiles what follows it once a target, and must stand first.
 // clang-format off
 #include "hwy/foreach_target.h"
+#include "accel/crossing_queries-inl.h"
 #include "accel/segment_queries-inl.h"
 #include "accel/triangle_queries-inl.h"
 #include "hwy/highway.h"
@@ -27,7 +28,7 @@ namespace tress {
 namespace HWY_NAMESPACE {
 
 QueryKernels query_kernels() {
-    return {nearest_segment, nearest_triangle, occluded_triangle, count_crossings, transmittance, crossings};
+    return {nearest_segment, nearest_triangle, occluded_triangle, count_crossings, transmittance, crossings, flights};
 }
 
 }  // namespace HWY_NAMESPACE
@@ -122,6 +123,17 @@ Crossings crossings(const KdTree& tree, const RayBatch& rays, Isa isa) {
     found.first.push_back(0);
     kernels_for(isa).crossings(tree, rays, found);
     return found;
+}
+
+void flights(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, std::span<const float> cutoff,
+             Flights& found, Isa isa) {
+    assert(cutoff.size() == rays.size());
+    Crossings& c = found.crossings;
+    for (auto* floats : {&c.t, &c.u, &c.h}) floats->clear();
+    for (auto* colors : {&found.before, &found.after}) colors->clear();
+    c.id.clear();
+    c.first.assign(1, 0);
+    kernels_for(isa).flights(tree, rays, attenuation, cutoff, found);
 }
 
 }  // namespace tress

@@ -53,6 +53,15 @@ struct Crossings {
 };
 Crossings crossings(const KdTree& tree, const RayBatch& rays, Isa isa);
 
+/// The first crossings of each ray, in order, up to and with the one that takes its transmittance below its cutoff in
+/// every channel (`cutoff`: one a ray; 0: all of them).
+struct Flights {
+    Crossings crossings;
+    std::vector<Rgb> before, after;  // transmittance up to each crossing, without and with it
+};
+void flights(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, std::span<const float> cutoff,
+             Flights& found, Isa isa);
+
 /// The instruction set that queries asked for `isa` use. Throws InputError where the machine cannot run it.
 Isa used_isa(Isa isa);
 

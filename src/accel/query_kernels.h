@@ -14,6 +14,7 @@ struct QueryKernels {
     void (*count_crossings)(const KdTree&, const RayBatch&, uint32_t limit, std::span<uint32_t> counts);
     void (*transmittance)(const KdTree&, const RayBatch&, const Attenuation&, float cutoff, std::span<Rgb>);
     void (*crossings)(const KdTree&, const RayBatch&, Crossings&);  // appends; first already holds the 0
+    void (*flights)(const KdTree&, const RayBatch&, const Attenuation&, std::span<const float> cutoff, Flights&);
 };
 
 }  // namespace tress

@@ -97,6 +97,18 @@ struct CountCrossings {
     }
 };
 
+HWY_INLINE float abs_sin_theta(const LocalRay& ray, const float* block, size_t lane) {
+    const float* axis = block + segment_row::dx * kLanes + lane;
+    const Vec3 v(axis[0], axis[kLanes], axis[2 * kLanes]);
+    const Vec3 d(ray.direction[0], ray.direction[1], ray.direction[2]);
+    const float product = ray.squared * dot(v, v);
+    return product > 0 ? std::min(std::abs(dot(d, v)) / std::sqrt(product), 1.0f) : 0.0f;
+}
+HWY_INLINE double least(const glm::dvec3& depth) { return std::min({depth.x, depth.y, depth.z}); }
+HWY_INLINE Rgb transmittance_of(const glm::dvec3& depth) {
+    return Rgb(std::exp(-depth.x), std::exp(-depth.y), std::exp(-depth.z));
+}
+
 template <Ends kEnds, bool kVarying>
 struct SumDepths {
     const SegmentScene& scene;
@@ -105,48 +117,12 @@ struct SumDepths {
     double limit;
     glm::dvec3 depth{0};
 
-    HWY_INLINE float abs_sin_theta(const float* block, size_t lane) const {
-        const float* axis = block + segment_row::dx * kLanes + lane;
-        const Vec3 v(axis[0], axis[kLanes], axis[2 * kLanes]);
-        const Vec3 d(ray.direction[0], ray.direction[1], ray.direction[2]);
-        const float product = ray.squared * dot(v, v);
-        return product > 0 ? std::min(std::abs(dot(d, v)) / std::sqrt(product), 1.0f) : 0.0f;
-    }
     HWY_INLINE bool leaf(const KdNode& node, float t_in, float t_out) {
         const auto on_hits = [&](const float* block, size_t lane, const SegmentHits& hits) {
             for (uint32_t bits = bits_of(met_within(hits, t_in, t_out)); bits != 0; bits &= bits - 1) {
                 const size_t k = lane + uint32_t(std::countr_zero(bits));
-                depth += glm::dvec3(attenuation.depth(identity(block, k), abs_sin_theta(block, k)));
-                if (std::min({depth.x, depth.y, depth.z}) > limit) return true;
-            }
-            return false;
-        };
-        return meet_segments<kEnds, kVarying>(scene, ray, node, LeafView(ray, t_in, t_out, scene), on_hits);
-    }
-};
-
-struct Crossing {
-    float t, u, h;  // t as the caller sees it: rounding may make two of them equal
-    uint32_t id;
-
-    bool operator<(const Crossing& other) const { return t < other.t || (t == other.t && id < other.id); }
-};
-
-template <Ends kEnds, bool kVarying>
-struct CollectCrossings {
-    const SegmentScene& scene;
-    const LocalRay& ray;
-    std::vector<Crossing>& found;
-
-    HWY_INLINE bool leaf(const KdNode& node, float t_in, float t_out) {
-        const auto on_hits = [&](const float* block, size_t lane, const SegmentHits& hits) {
-            uint32_t bits = bits_of(met_within(hits, t_in, t_out));
-            if (bits == 0) return false;
-            const HitArrays at(hits);
-            for (; bits != 0; bits &= bits - 1) {
-                const uint32_t k = uint32_t(std::countr_zero(bits));
-                found.push_back({ray.caller_t(at.t[k]), at.u[k], offset_in_radii(at.side[k], at.radius[k]),
-                                 identity(block, lane + k)});
+                depth += glm::dvec3(attenuation.depth(identity(block, k), abs_sin_theta(ray, block, k)));
+                if (least(depth) > limit) return true;
             }
             return false;
         };
@@ -202,33 +178,9 @@ void transmittance(const KdTree& tree, const RayBatch& rays, const Attenuation& 
         const auto trace = [&](size_t i, const LocalRay& ray) {
             SumDepths<kEnds, kVarying> sum{scene, ray, attenuation, limit};
             traverse(tree, ray, sum);
-            out[i] = Rgb(std::exp(-sum.depth.x), std::exp(-sum.depth.y), std::exp(-sum.depth.z));
+            out[i] = transmittance_of(sum.depth);
         };
         for_each_ray(tree, rays, trace, [&](size_t i) { out[i] = Rgb(1); });
-    });
-}
-
-void crossings(const KdTree& tree, const RayBatch& rays, Crossings& out) {
-    const SegmentScene scene(tree);
-    std::vector<Crossing> found;
-    const auto append = [&] {
-        std::sort(found.begin(), found.end());
-        for (const Crossing& c : found) {
-            out.t.push_back(c.t);
-            out.u.push_back(c.u);
-            out.h.push_back(c.h);
-            out.id.push_back(c.id);
-        }
-        out.first.push_back(out.t.size());
-    };
-    with_shape(tree, [&]<Ends kEnds, bool kVarying>() {
-        const auto trace = [&](size_t, const LocalRay& ray) {
-            found.clear();
-            CollectCrossings<kEnds, kVarying> collector{scene, ray, found};
-            traverse(tree, ray, collector);
-            append();
-        };
-        for_each_ray(tree, rays, trace, [&](size_t) { out.first.push_back(out.t.size()); });
     });
 }
 

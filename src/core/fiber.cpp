@@ -36,6 +36,21 @@ auto with_point(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h,
     return function(make_chiang_point(fiber, sigma_a, wo, h));
 }
 
+/// Leaves the lobes that are not asked for out of what is sampled.
+template <class Point>
+void keep_lobes(Point& point, FiberLobes lobes) {
+    if (lobes == FiberLobes::all) return;
+    point.share[Fiber::kTransmitted] = 0;
+    float sum = 0;
+    for (const float share : point.share) sum += share;
+    for (float& share : point.share) share = sum > 0 ? share / sum : 0;
+}
+
+FiberSample without_others(FiberSample sample, FiberLobes lobes) {
+    if (lobes == FiberLobes::reflected) sample.value.forward = Rgb(0);
+    return sample;
+}
+
 }  // namespace
 
 Fiber make_fiber(const FiberParameters& parameters) {
@@ -77,13 +92,20 @@ void evaluate(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, s
     });
 }
 
-FiberSample evaluate_with_pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h) {
-    return with_point(fiber, sigma_a, wo, h, [&](const auto& point) { return evaluate_with_pdf(fiber, point, wi); });
+FiberSample evaluate_with_pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h,
+                              FiberLobes lobes) {
+    return with_point(fiber, sigma_a, wo, h, [&](auto point) {
+        keep_lobes(point, lobes);
+        return without_others(evaluate_with_pdf(fiber, point, wi), lobes);
+    });
 }
 
-FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u) {
-    return with_point(fiber, sigma_a, wo, h,
-                      [&](const auto& point) { return evaluate_with_pdf(fiber, point, sample(fiber, point, u)); });
+FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u,
+                   FiberLobes lobes) {
+    return with_point(fiber, sigma_a, wo, h, [&](auto point) {
+        keep_lobes(point, lobes);
+        return without_others(evaluate_with_pdf(fiber, point, sample(fiber, point, u)), lobes);
+    });
 }
 
 float pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h) {

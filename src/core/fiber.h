@@ -66,12 +66,17 @@ struct FiberSample {
     FiberScattering value;
 };
 
+/// What is sampled and evaluated: f, or f_R alone.
+enum class FiberLobes { all, reflected };
+
 /// Direction with density near proportional to f |cos theta_i|. `u` is uniform in [0, 1)^4.
-FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u);
+FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u,
+                   FiberLobes lobes = FiberLobes::all);
 /// The density with which `sample` chooses wi.
 float pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h);
 /// Both at once, for little more than one of them: what `sample` would say had it drawn wi.
-FiberSample evaluate_with_pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h);
+FiberSample evaluate_with_pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h,
+                              FiberLobes lobes = FiberLobes::all);
 
 /// Albedo of the TT lobe for light that arrives at inclination theta, averaged over h: the a_k of the straight-through
 /// model. By quadrature; renderers use the table of attenuation.h.

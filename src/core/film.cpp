@@ -11,6 +11,8 @@ namespace {
 
 using Sums = std::vector<glm::dvec3>;
 
+constexpr PerType<const char*> kTypeLayers = {"type1", "type2", "type3", "type4", "type5"};
+
 /// Rounds to float without ever becoming infinite.
 float narrow(double value) {
     constexpr double largest = std::numeric_limits<float>::max();
@@ -62,7 +64,7 @@ Layer depth_layer(const Film& film) {
 }  // namespace
 
 void check_film_size(int width, int height) {
-    constexpr int64_t most_pixels = int64_t(1) << 26;  // 8192 x 8192: about 10 GB of sums
+    constexpr int64_t most_pixels = int64_t(1) << 26;  // 8192 x 8192: up to 17 GB of sums
     if (width < 1 || height < 1 || int64_t(width) * height > most_pixels)
         throw InputError("size", std::to_string(width) + "x" + std::to_string(height) +
                                      " pixels, expected at least 1x1 and at most 2^26 in all");
@@ -70,10 +72,10 @@ void check_film_size(int width, int height) {
 
 Film make_film(int width, int height, const Plan& plan) {
     const size_t n = size_t(width) * size_t(height);
-    Film film{width, height, {}, {}, {}, {}, {}, {}, {}, {}};
+    Film film{width, height, {}, {}, {}, {}, {}, {}, {}};
     for (Sums* sums : {&film.beauty, &film.squares, &film.albedo}) sums->assign(n, glm::dvec3(0));
-    if (!plan.type1_lights.empty()) film.type1.assign(n, glm::dvec3(0));
-    if (!plan.type2_lights.empty()) film.type2.assign(n, glm::dvec3(0));
+    for (int t = 0; t < kPathTypes; ++t)
+        if (plan.types[t]) film.types[t] = {Sums(n, glm::dvec3(0)), std::vector<double>(n, 0)};
     film.depth.assign(n, 0);
     film.hits.assign(n, 0);
     film.samples.assign(n, 0);
@@ -81,11 +83,16 @@ Film make_film(int width, int height, const Plan& plan) {
 }
 
 void add(Film& film, size_t pixel, const FilmSample& sample) {
-    const glm::dvec3 beauty = glm::dvec3(sample.background) + glm::dvec3(sample.type1) + glm::dvec3(sample.type2);
+    glm::dvec3 beauty(sample.background);
+    for (const Rgb& light : sample.light) beauty += glm::dvec3(light);
     film.beauty[pixel] += beauty;
     film.squares[pixel] += beauty * beauty;
-    if (!film.type1.empty()) film.type1[pixel] += glm::dvec3(sample.type1);
-    if (!film.type2.empty()) film.type2[pixel] += glm::dvec3(sample.type2);
+    for (int t = 0; t < kPathTypes; ++t) {
+        TypeSums& sums = film.types[t];
+        if (sums.light.empty()) continue;
+        sums.light[pixel] += glm::dvec3(sample.light[t]);
+        sums.squares[pixel] += square(double(luminance(sample.light[t])));
+    }
     ++film.samples[pixel];
     if (!sample.hit) return;
     film.albedo[pixel] += glm::dvec3(sample.albedo);
@@ -96,15 +103,16 @@ void add(Film& film, size_t pixel, const FilmSample& sample) {
 size_t bytes(const Film& film) {
     size_t total =
         film.depth.capacity() * sizeof(double) + (film.hits.capacity() + film.samples.capacity()) * sizeof(uint32_t);
-    for (const Sums* sums : {&film.beauty, &film.squares, &film.type1, &film.type2, &film.albedo})
-        total += sums->capacity() * sizeof(glm::dvec3);
+    for (const Sums* sums : {&film.beauty, &film.squares, &film.albedo}) total += sums->capacity() * sizeof(glm::dvec3);
+    for (const TypeSums& type : film.types)
+        total += type.light.capacity() * sizeof(glm::dvec3) + type.squares.capacity() * sizeof(double);
     return total;
 }
 
 LayeredImage develop(const Film& film) {
     LayeredImage image{film.width, film.height, {beauty_layer(film)}, {}};
-    if (!film.type1.empty()) image.layers.push_back(mean_layer(film, "type1", film.type1));
-    if (!film.type2.empty()) image.layers.push_back(mean_layer(film, "type2", film.type2));
+    for (int t = 0; t < kPathTypes; ++t)
+        if (!film.types[t].light.empty()) image.layers.push_back(mean_layer(film, kTypeLayers[t], film.types[t].light));
     const uint32_t most = film.samples.empty() ? 0 : *std::max_element(film.samples.begin(), film.samples.end());
     if (most > 1) image.layers.push_back(variance_layer(film));
     image.layers.push_back(depth_layer(film));

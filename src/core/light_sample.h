@@ -11,6 +11,7 @@ struct LightSample {
     Vec3 direction{0, 0, 1};  // unit
     float distance = 0;       // to the light; infinity for distant lights and the environment
     Rgb irradiance{0};        // radiance / pdf, so that f |cos| irradiance is the estimate; 0: no light here
+    float pdf = 0;            // 1 / steradian; 0: no ray would meet the light but by aiming at it
 };
 
 /// Largest irradiance kept: a light of 1e30 W/sr, or one at distance 1e-20, stays finite down to the film.
@@ -21,5 +22,14 @@ LightSample sample(const SpotLight& light, const Vec3& point, const Vec2& u);
 LightSample sample(const DistantLight& light, const Vec3& point, const Vec2& u);
 /// Uniform over the area.
 LightSample sample(const QuadLight& light, const Vec3& point, const Vec2& u);
+
+/// Where a ray passes through a lamp that has an area.
+struct LampHit {
+    float distance = kInfinity;  // infinity: nowhere, or from its dark side
+    Rgb radiance{0};
+    float pdf = 0;  // 1 / steradian, with which sample() from the ray's origin draws its direction
+};
+/// `direction` is unit.
+LampHit hit(const QuadLight& light, const Vec3& origin, const Vec3& direction);
 
 }  // namespace tress

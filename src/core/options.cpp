@@ -13,8 +13,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view kMethodNames[] = {"off", "ray"};
-constexpr std::string_view kOffOnly[] = {"off"};
+constexpr std::string_view kGatherNames[] = {"off", "ray", "path"};
+constexpr std::string_view kScatteredNames[] = {"off", "photons", "path"};
+constexpr std::string_view kScatteringNames[] = {"straight", "full"};
 constexpr std::string_view kIsaNames[] = {"auto", "scalar", "sse4", "avx2", "avx512"};
 constexpr std::string_view kSplitNames[] = {"binned", "exact", "naive", "spatial_median", "object_median"};
 constexpr double kMaxCount = 1e9;
@@ -66,13 +67,16 @@ std::string number_text(T value) {
 
 std::vector<OptionField> option_fields(Options& o) {
     AccelOptions& a = o.accel;
+    PhotonOptions& p = o.photons;
     FilmOptions& f = o.film;
     return {
-        {"type1", choice(o.type1, kMethodNames), 0, 0, "light from lamps, straight through hair"},
-        {"type2", choice(o.type2, kMethodNames), 0, 0, "light from the environment, straight through hair"},
-        {"type3", choice(o.type3, kOffOnly), 0, 0, "light from lamps, scattered once on its way"},
-        {"type4", choice(o.type4, kOffOnly), 0, 0, "light from lamps, scattered more than once"},
-        {"type5", choice(o.type5, kOffOnly), 0, 0, "light from elsewhere, scattered on its way"},
+        {"type1", choice(o.type1, kGatherNames), 0, 0, "light from lamps, straight through hair"},
+        {"type2", choice(o.type2, kGatherNames), 0, 0,
+         "light from polygons and the environment, straight through hair"},
+        {"type3", choice(o.type3, kGatherNames), 0, 0, "light from lamps, scattered once on its way"},
+        {"type4", choice(o.type4, kScatteredNames), 0, 0, "light from lamps, scattered more than once on its way"},
+        {"type5", choice(o.type5, kScatteredNames), 0, 0, "light from elsewhere, scattered on its way"},
+        {"scattering", choice(o.scattering, kScatteringNames), 0, 0, "of types by path: full scatters TT by its lobe"},
         {"spp", &o.spp, 1, kMostSamples, "samples a pixel; with time, the most that are taken"},
         {"time", &o.time, 0, 1e9, "seconds of rendering after which no new pass starts; 0: no limit"},
         {"seed", &o.seed, 0, 0x1p64, "of all random numbers"},
@@ -90,6 +94,11 @@ std::vector<OptionField> option_fields(Options& o) {
         {"accel.depth_base", &a.depth_base, 0, 60, "depth limit: base + factor log2(n), at most 60"},
         {"accel.depth_factor", &a.depth_factor, 0, 10, "depth limit: base + factor log2(n), at most 60"},
         {"accel.failed_splits", &a.failed_splits, 0, 60, "splits dearer than a leaf allowed on a path"},
+        {"photons.count", &p.count, 0, kMaxCount, "emitted, from all lights together"},
+        {"photons.nearest", &p.nearest, 2, 65536, "photons that an estimate takes"},
+        {"photons.radius", &p.radius, 0, 1e30, "largest of an estimate, scene units; 0: by the density of photons"},
+        {"gather.rays", &o.gather.rays, 1, 65536, "a camera sample, for types 2 and 3"},
+        {"gather.crossings", &o.gather.crossings, 0, 65536, "of a ray, shaded for type 3; 0: every one"},
         {"film.filter_radius", &f.filter_radius, 0.5, 8, "pixels, of the Blackman-Harris filter"},
         {"film.exposure", &f.exposure, -40, 40, "stops, of the PNG only"},
     };

@@ -12,9 +12,9 @@
 
 namespace tress {
 
-enum class Type1Method : int { off, ray };
-enum class Type2Method : int { off, ray };
-enum class OtherTypes : int { off };  // types 3 to 5: no method yet
+enum class GatherMethod : int { off, ray, path };         // types 1 to 3
+enum class ScatteredMethod : int { off, photons, path };  // types 4 and 5
+enum class ScatteringModel : int { straight, full };
 enum class Isa : int { automatic, scalar, sse4, avx2, avx512 };
 enum class SplitMethod : int { binned, exact, naive, spatial_median, object_median };
 
@@ -35,22 +35,35 @@ struct AccelOptions {
 
 inline constexpr int kMostSamples = 1 << 20;  // a pixel
 
+struct PhotonOptions {
+    int count = 1'000'000;  // emitted, from all lights together
+    int nearest = 50;       // that an estimate takes
+    float radius = 0;       // the largest of an estimate, scene units; 0: by the density of photons
+};
+
+struct GatherOptions {
+    int rays = 1;       // a camera sample, for types 2 and 3
+    int crossings = 1;  // of a ray, shaded for type 3, drawn by what they are seen through; 0: every one
+};
+
 struct FilmOptions {
     float filter_radius = 1.5f;  // pixels; Blackman-Harris, sampled by importance
     float exposure = 0;          // stops, of the PNG only
 };
 
 struct Options {
-    Type1Method type1 = Type1Method::ray;
-    Type2Method type2 = Type2Method::ray;
-    OtherTypes type3 = OtherTypes::off, type4 = OtherTypes::off, type5 = OtherTypes::off;
-    int spp = 64;     // samples a pixel
+    GatherMethod type1 = GatherMethod::ray, type2 = GatherMethod::ray, type3 = GatherMethod::ray;
+    ScatteredMethod type4 = ScatteredMethod::off, type5 = ScatteredMethod::off;
+    ScatteringModel scattering = ScatteringModel::straight;  // of the method `path`
+    int spp = 64;                                            // samples a pixel
     double time = 0;  // seconds of rendering after which no new pass starts; 0: none
     uint64_t seed = 0;
     int threads = 0;  // 0: all
     Isa isa = Isa::automatic;
     float cutoff = 1e-6f;  // transmittance below which a ray counts as blocked
     AccelOptions accel;
+    PhotonOptions photons;
+    GatherOptions gather;
     FilmOptions film;
 };
 

@@ -3,6 +3,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "core/error.h"
+
 namespace tress {
 namespace {
 
@@ -60,62 +62,194 @@ std::string why_unseen(const Light& light, const Bounds& bounds) {
     return std::visit(ShapeUnseen{bounds}, light);
 }
 
-Plan make_plan(const Scene& scene, const Options& options) {
-    Plan plan;
-    const auto build = [&](const std::string& name, const std::string& why) { plan.stages.push_back({name, why}); };
-    const auto leave = [&](const std::string& name, const std::string& why) { plan.left_out.push_back({name, why}); };
+namespace {
 
-    const size_t segments = scene.segments.point.size(), triangles = scene.mesh.triangles();
-    plan.hair_tree = segments > 0;
-    plan.hair_tree ? build(stage::kHairTree, counted(segments, "segment") + " to trace")
-                   : leave(stage::kHairTree, "no hair");
-    plan.mesh_tree = triangles > 0;
-    plan.mesh_tree ? build(stage::kMeshTree, counted(triangles, "triangle") + " to trace")
-                   : leave(stage::kMeshTree, "no meshes");
+/// What the scene holds and the options ask for, in the words of the rules below.
+struct Wanted {
+    TypeSet by_ray{}, by_photons{}, by_path{};
 
-    const bool type1 = options.type1 != Type1Method::off, type2 = options.type2 != Type2Method::off;
-    std::vector<PlanItem> lights;
-    for (uint32_t i = 0; i < scene.lights.size(); ++i) {
-        const Light& light = scene.lights[i];
-        const bool is_environment = std::holds_alternative<EnvironmentLight>(light);
-        const std::string name = "light " + std::to_string(i) + " (" + light_name(light) + ")";
-        const bool nothing_to_light = scene.bounds.empty() && !is_environment;  // the camera sees the sky all the same
-        std::string why = nothing_to_light ? "there is nothing to light" : why_unseen(light, scene.bounds);
-        if (is_environment && !type2) why = "type2 is off";
-        if (!is_environment && !type1) why = "type1 is off";
-        if (!why.empty()) {
-            leave(name, why);
-            continue;
-        }
-        (is_environment ? plan.type2_lights : plan.type1_lights).push_back(i);
-        lights.push_back({name, is_environment ? "sampled for type 2" : "sampled for type 1"});
+    bool on(PathType type) const {
+        const int t = index_of(type);
+        return by_ray[t] || by_photons[t] || by_path[t];
     }
-    const bool lit = !lights.empty();
+};
 
-    plan.attenuation = plan.hair_tree && lit;
-    plan.attenuation ? build(stage::kAttenuation, counted(scene.fibers.size(), "fiber") + " to see lights through")
-                     : leave(stage::kAttenuation, plan.hair_tree ? "no light is sampled" : "no hair");
-    plan.hair_colors = plan.attenuation && !scene.sigma_a.empty();
-    plan.hair_colors ? build(stage::kHairColors, "strands have colours of their own")
-                     : leave(stage::kHairColors,
-                             plan.attenuation ? "every strand has its fiber's colour" : "no table asks for them");
-    plan.type2_lights.empty()
-        ? leave(stage::kEnvironment, type2 ? "no environment shines into the picture" : "type2 is off")
-        : build(stage::kEnvironment, counted(plan.type2_lights.size(), "environment") + " to sample by brightness");
-    build(stage::kCameraRays, "the picture");
-    for (const PlanItem& light : lights) plan.stages.push_back(light);
-    const auto type = [&](const char* name, bool on, const std::vector<uint32_t>& sampled, const char* what) {
-        if (!on)
-            leave(name, "off");
-        else if (sampled.empty())
-            leave(name, std::string("no ") + what + " shines into the picture");
-        else
-            build(name, counted(sampled.size(), what) + ", by shadow rays through the hair");
-    };
-    type(stage::kType1, type1, plan.type1_lights, "lamp");
-    type(stage::kType2, type2, plan.type2_lights, "environment");
-    for (const char* name : {"type 3", "type 4", "type 5"}) leave(name, "off");
-    return plan;
+Wanted wanted_types(const Options& o) {
+    Wanted w;
+    const GatherMethod gathered[] = {o.type1, o.type2, o.type3};
+    for (int t = 0; t < 3; ++t) {
+        w.by_ray[t] = gathered[t] == GatherMethod::ray;
+        w.by_path[t] = gathered[t] == GatherMethod::path;
+    }
+    const ScatteredMethod scattered[] = {o.type4, o.type5};
+    for (int t = 3; t < kPathTypes; ++t) {
+        w.by_photons[t] = scattered[t - 3] == ScatteredMethod::photons;
+        w.by_path[t] = scattered[t - 3] == ScatteredMethod::path;
+    }
+    if (o.scattering == ScatteringModel::full)
+        for (int t = 0; t < kPathTypes; ++t)
+            if (w.by_ray[t] || w.by_photons[t])
+                throw InputError("scattering", "'full' with type" + std::to_string(t + 1) +
+                                                   " by another method, expected every type 'path' or 'off'");
+    return w;
 }
+
+std::string list_types(const TypeSet& types) {
+    std::string text;
+    for (int t = 0; t < kPathTypes; ++t)
+        if (types[t]) text += (text.empty() ? "" : ", ") + std::to_string(t + 1);
+    return text;
+}
+
+/// Fills a plan step by step; each step says why.
+class Planner {
+public:
+    Planner(const Scene& scene, const Options& options)
+        : scene_(scene), options_(options), wanted_(wanted_types(options)) {}
+
+    Plan make() {
+        list_trees();
+        list_lights();
+        list_types_with_light();
+        list_attenuation();
+        list_photons();
+        list_loop();
+        return std::move(plan_);
+    }
+
+private:
+    void build(const std::string& name, const std::string& why) { plan_.stages.push_back({name, why}); }
+    void leave(const std::string& name, const std::string& why) { plan_.left_out.push_back({name, why}); }
+    void decide(const char* name, bool built, const std::string& why, const std::string& why_not) {
+        built ? build(name, why) : leave(name, why_not);
+    }
+    bool on(PathType type) const { return wanted_.on(type); }
+    bool has_light() const { return !plan_.lamps.empty() || !plan_.environments.empty(); }
+
+    void list_trees() {
+        const size_t segments = scene_.segments.point.size(), triangles = scene_.mesh.triangles();
+        plan_.hair_tree = segments > 0;
+        decide(stage::kHairTree, plan_.hair_tree, counted(segments, "segment") + " to trace", "no hair");
+        plan_.mesh_tree = triangles > 0;
+        decide(stage::kMeshTree, plan_.mesh_tree, counted(triangles, "triangle") + " to trace", "no meshes");
+    }
+
+    /// Empty: it shines into the picture.
+    std::string why_not_lit_by(const Light& light) const {
+        const bool environment = std::holds_alternative<EnvironmentLight>(light);
+        if (scene_.bounds.empty() && !environment) return "there is nothing to light";  // a sky is seen all the same
+        const std::string unseen = why_unseen(light, scene_.bounds);
+        if (!unseen.empty()) return unseen;
+        const bool elsewhere = on(PathType::type2) || on(PathType::type5);
+        if (environment) return elsewhere ? "" : "types 2 and 5 are off";
+        const bool from_polygons = elsewhere && plan_.mesh_tree;
+        if (on(PathType::type1) || on(PathType::type3) || on(PathType::type4) || from_polygons) return "";
+        return "no type that is on takes light from lamps";
+    }
+
+    void list_lights() {
+        for (uint32_t i = 0; i < scene_.lights.size(); ++i) {
+            const Light& light = scene_.lights[i];
+            const std::string name = "light " + std::to_string(i) + " (" + light_name(light) + ")";
+            const std::string why_not = why_not_lit_by(light);
+            const bool environment = std::holds_alternative<EnvironmentLight>(light);
+            if (why_not.empty()) (environment ? plan_.environments : plan_.lamps).push_back(i);
+            decide(name.c_str(), why_not.empty(), "shines into the picture", why_not);
+        }
+        decide(stage::kEnvironment, !plan_.environments.empty(),
+               counted(plan_.environments.size(), "environment") + " to sample by brightness",
+               "no environment shines into the picture");
+        plan_.background = on(PathType::type2) && !plan_.environments.empty();
+    }
+
+    /// Empty: some light of the type may reach the eye.
+    std::string why_dark(PathType type) const {
+        if (!on(type)) return "off";
+        if (!plan_.hair_tree && !plan_.mesh_tree) return "there is nothing to light";
+        const bool scattered = type != PathType::type1 && type != PathType::type2;
+        if (scattered && !plan_.hair_tree) return "no hair to scatter light on its way";
+        const bool from_lamps = type == PathType::type1 || type == PathType::type3 || type == PathType::type4;
+        if (from_lamps) return plan_.lamps.empty() ? "no lamp shines into the picture" : "";
+        if (!plan_.environments.empty() || (plan_.mesh_tree && has_light())) return "";
+        return plan_.mesh_tree ? "no light shines into the picture" : "no polygons and no environment";
+    }
+
+    void list_types_with_light() {
+        for (int t = 0; t < kPathTypes; ++t) plan_.types[t] = why_dark(PathType(t)).empty();
+    }
+
+    bool by(const TypeSet& method, PathType type) const {
+        return method[index_of(type)] && plan_.types[index_of(type)];
+    }
+
+    void list_attenuation() {
+        const bool lit = plan_.hair_tree && any(plan_.types);
+        const bool seen_through = options_.scattering == ScatteringModel::straight;
+        plan_.attenuation = lit && seen_through;
+        decide(stage::kAttenuation, plan_.attenuation, counted(scene_.fibers.size(), "fiber") + " to see light through",
+               !plan_.hair_tree ? "no hair"
+               : lit            ? "scattering is full: no fiber is seen through"
+                                : "no light is sampled");
+        plan_.hair_colors = plan_.attenuation && !scene_.sigma_a.empty();
+        decide(stage::kHairColors, plan_.hair_colors, "strands have colours of their own",
+               plan_.attenuation ? "every strand has its fiber's colour" : "no table asks for them");
+    }
+
+    void list_photons() {
+        const bool polygons = by(wanted_.by_ray, PathType::type2) && plan_.mesh_tree;
+        const bool some = options_.photons.count > 0;
+        for (const PathType type : {PathType::type4, PathType::type5})
+            plan_.photon_display[index_of(type)] = some && by(wanted_.by_photons, type);
+        plan_.polygon_gather = some && polygons;
+        const bool shown = any(plan_.photon_display);
+        const std::string none = some ? "no type asks for them" : "photons.count is 0";
+        decide(stage::kPhotons, plan_.photons(), counted(size_t(options_.photons.count), "photon") + " from all lights",
+               none);
+        decide(stage::kPhotonMap, plan_.polygon_gather, "type 2 reads the light of polygons from it",
+               !by(wanted_.by_ray, PathType::type2) ? "no type reads it"
+               : !plan_.mesh_tree                   ? "no polygons: type 2 is the environment's"
+                                                    : none);
+        decide(stage::kShownPhotons, shown,
+               "photons for types " + list_types(plan_.photon_display) + " at the eye's points",
+               some ? "no type shows photons" : none);
+    }
+
+    void list_loop() {
+        build(stage::kCameraRays, "the picture");
+        plan_.direct = by(wanted_.by_ray, PathType::type1);
+        plan_.sky = by(wanted_.by_ray, PathType::type2) && !plan_.environments.empty();
+        plan_.crossing_gather = by(wanted_.by_ray, PathType::type3);
+        for (int t = 0; t < kPathTypes; ++t) plan_.paths[t] = by(wanted_.by_path, PathType(t));
+
+        if (plan_.direct)
+            build(stage::kType1, counted(plan_.lamps.size(), "lamp") + ", by shadow rays through the hair");
+        if (plan_.sky)
+            build(stage::kSky, counted(plan_.environments.size(), "environment") + ", by shadow rays through the hair");
+        if (plan_.gather_rays()) {
+            TypeSet types{};
+            types[index_of(PathType::type2)] = plan_.polygon_gather;
+            types[index_of(PathType::type3)] = plan_.crossing_gather;
+            build(stage::kGatherRays, counted(size_t(options_.gather.rays), "ray") +
+                                          " a sample, drawn by the scattering, for types " + list_types(types));
+        }
+        if (plan_.polygon_gather)
+            build(stage::kPolygonGather, "the photon map at the end of gather rays, through the hair");
+        if (plan_.crossing_gather) build(stage::kCrossingGather, "lamps, at the fibers that gather rays cross");
+        if (any(plan_.photon_display))
+            build(stage::kPhotonDisplay, "types " + list_types(plan_.photon_display) + ", by photons near by");
+        if (any(plan_.paths)) build(stage::kPaths, "types " + list_types(plan_.paths) + ", by path tracing");
+        for (int t = 0; t < kPathTypes; ++t)
+            if (!plan_.types[t]) leave("type " + std::to_string(t + 1), why_dark(PathType(t)));
+    }
+
+    const Scene& scene_;
+    const Options& options_;
+    const Wanted wanted_;
+    Plan plan_;
+};
+
+}  // namespace
+
+Plan make_plan(const Scene& scene, const Options& options) { return Planner(scene, options).make(); }
 
 }  // namespace tress

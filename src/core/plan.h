@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/options.h"
+#include "core/path_type.h"
 #include "core/scene.h"
 
 namespace tress {
@@ -20,10 +21,21 @@ struct Plan {
 
     bool hair_tree = false;
     bool mesh_tree = false;
-    bool attenuation = false;            // the table of a_k: hair stands between something and a light
-    bool hair_colors = false;            // strands have absorptions of their own
-    std::vector<uint32_t> type1_lights;  // indices of lights that shine into the picture, by the type they belong to
-    std::vector<uint32_t> type2_lights;
+    bool attenuation = false;                   // the table of a_k: hair stands between something and a light
+    bool hair_colors = false;                   // strands have absorptions of their own
+    std::vector<uint32_t> lamps, environments;  // indices of lights that shine into the picture
+
+    TypeSet types{};               // on, and some light may be theirs: they have layers
+    bool background = false;       // environments are seen past everything
+    bool direct = false;           // type 1: shadow rays to lamps
+    bool sky = false;              // type 2: shadow rays to environments
+    bool polygon_gather = false;   // type 2: gather rays read the photon map
+    bool crossing_gather = false;  // type 3: gather rays are lit where they cross hair
+    TypeSet photon_display{};      // types 4 and 5: photons shown directly
+    TypeSet paths{};               // traced as paths
+
+    bool gather_rays() const { return polygon_gather || crossing_gather; }
+    bool photons() const { return polygon_gather || any(photon_display); }
 };
 
 /// Names of stages, shared by the plan and the figures.
@@ -33,11 +45,20 @@ inline constexpr const char* kMeshTree = "mesh tree";
 inline constexpr const char* kAttenuation = "attenuation table";
 inline constexpr const char* kHairColors = "hair colours";
 inline constexpr const char* kEnvironment = "environment table";
+inline constexpr const char* kPhotons = "photons";
+inline constexpr const char* kPhotonMap = "photon map";
+inline constexpr const char* kShownPhotons = "shown photons";
 inline constexpr const char* kCameraRays = "camera rays";
 inline constexpr const char* kType1 = "type 1";
-inline constexpr const char* kType2 = "type 2";
+inline constexpr const char* kSky = "type 2 from the sky";
+inline constexpr const char* kGatherRays = "gather rays";
+inline constexpr const char* kPolygonGather = "type 2 from polygons";
+inline constexpr const char* kCrossingGather = "type 3";
+inline constexpr const char* kPhotonDisplay = "photon display";
+inline constexpr const char* kPaths = "paths";
 }  // namespace stage
 
+/// Throws InputError where options contradict each other.
 Plan make_plan(const Scene& scene, const Options& options);
 
 /// Why no light of this kind and place can reach the scene; empty: it may.

@@ -39,7 +39,7 @@ struct Connect {
         const LightSample to = sample(lamp, point.position, sampler.get2(dimension()));
         if (!(max_component(to.irradiance) > 0)) return {};
         return {to.direction, short_of(to.distance),
-                bounded(scatter(scene, point, to.direction).value * to.irradiance)};
+                bounded(scatter(scene, point, to.direction).value() * to.irradiance)};
     }
 
     /// Of kPairs directions by the sky's brightness and kPairs by the scattering (balance heuristic: Veach 1997, ch.
@@ -53,7 +53,7 @@ struct Connect {
         const auto offer = [&](const Vec3& direction) {
             const Scattering scattered = scatter(scene, point, direction);
             const float pdf = 0.5f * (pdf_environment(sky, direction) + scattered.pdf);
-            const Rgb brought = bounded(scattered.value * radiance(sky, direction));
+            const Rgb brought = bounded(scattered.value() * radiance(sky, direction));
             const float weight = luminance(brought) / pdf;
             if (!(pdf > 0 && weight > 0)) return;
             sum += weight;

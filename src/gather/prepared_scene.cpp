@@ -47,7 +47,7 @@ size_t make_hair_colors(const Scene& scene, const SegmentView& segments, Attenua
 
 size_t make_environments(const Scene& scene, const Plan& plan, std::vector<std::optional<EnvironmentSampler>>& to) {
     size_t total = 0;
-    for (const uint32_t light : plan.type2_lights) {
+    for (const uint32_t light : plan.environments) {
         to[light] = make_environment_sampler(std::get<EnvironmentLight>(scene.lights[light]));
         total += bytes(*to[light]);
     }
@@ -74,7 +74,7 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
         timed(p.costs, stage::kAttenuation, [&] { return make_attenuation(scene, plan, p.attenuation); });
     if (plan.hair_colors)
         timed(p.costs, stage::kHairColors, [&] { return make_hair_colors(scene, p.segments, p.attenuation); });
-    if (!plan.type2_lights.empty())
+    if (!plan.environments.empty())
         timed(p.costs, stage::kEnvironment, [&] { return make_environments(scene, plan, p.environment); });
     return p;
 }

@@ -11,6 +11,7 @@
 #include "core/plan.h"
 #include "core/scene.h"
 #include "core/stage_cost.h"
+#include "gather/photon_maps.h"
 
 namespace tress {
 
@@ -19,6 +20,7 @@ struct PreparedScene {
     KdTree hair, mesh;                                           // empty where left out
     Attenuation attenuation;                                     // empty where left out
     std::vector<std::optional<EnvironmentSampler>> environment;  // one a light; none where not an environment
+    PhotonMaps photons;                                          // empty where left out
     std::vector<StageCost> costs;
 };
 

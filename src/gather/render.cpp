@@ -43,14 +43,21 @@ void advance(RenderState& state, const Scene& scene, const PreparedScene& prepar
 }
 
 std::vector<StageCost> loop_costs(const RenderState& state, const Plan& plan) {
-    std::vector<StageCost> costs{{stage::kCameraRays, 0, bytes(state.film)}};
-    std::vector<LoopStage> stages{LoopStage::camera_rays};
-    const auto list = [&](const char* name, LoopStage stage) {
-        costs.push_back({name, 0, 0});
+    std::vector<StageCost> costs;
+    std::vector<LoopStage> stages;
+    const auto list = [&](bool planned, const char* name, LoopStage stage, size_t bytes = 0) {
+        if (!planned) return;
+        costs.push_back({name, 0, bytes});
         stages.push_back(stage);
     };
-    if (!plan.type1_lights.empty()) list(stage::kType1, LoopStage::type1);
-    if (!plan.type2_lights.empty()) list(stage::kType2, LoopStage::type2);
+    list(true, stage::kCameraRays, LoopStage::camera_rays, bytes(state.film));
+    list(plan.direct, stage::kType1, LoopStage::type1);
+    list(plan.sky, stage::kSky, LoopStage::sky);
+    list(plan.gather_rays(), stage::kGatherRays, LoopStage::gather_rays);
+    list(plan.polygon_gather, stage::kPolygonGather, LoopStage::polygon_gather);
+    list(plan.crossing_gather, stage::kCrossingGather, LoopStage::crossing_gather);
+    list(any(plan.photon_display), stage::kPhotonDisplay, LoopStage::photon_display);
+    list(any(plan.paths), stage::kPaths, LoopStage::paths);
 
     double all = 0;
     for (const auto& nanoseconds : state.clocks->nanoseconds) all += double(nanoseconds);

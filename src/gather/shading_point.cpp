@@ -74,16 +74,17 @@ Scattering scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi
     const Vec3 local = point.frame.to_local(wi);
     if (point.fiber == kPolygon) {
         const float pdf = pdf_cosine_hemisphere(local.z);
-        if (dot(wi, point.geometric_normal) <= 0) return {Rgb(0), pdf};
-        return {point.color * pdf, pdf};  // albedo / pi cos theta
+        if (dot(wi, point.geometric_normal) <= 0) return {Rgb(0), Rgb(0), pdf};
+        return {Rgb(0), point.color * pdf, pdf};  // albedo / pi cos theta
     }
-    const FiberSample f = evaluate_with_pdf(scene.fibers[point.fiber], point.color, point.wo, local, point.h);
-    return {f.value.forward + f.value.reflected, f.pdf};
+    const FiberSample f =
+        evaluate_with_pdf(scene.fibers[point.fiber], point.color, point.wo, local, point.h, point.lobes);
+    return {f.value.forward, f.value.reflected, f.pdf};
 }
 
 Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u) {
     if (point.fiber == kPolygon) return point.frame.to_world(sample_cosine_hemisphere({u.x, u.y}));
-    return point.frame.to_world(sample(scene.fibers[point.fiber], point.color, point.wo, point.h, u).wi);
+    return point.frame.to_world(sample(scene.fibers[point.fiber], point.color, point.wo, point.h, u, point.lobes).wi);
 }
 
 Rgb layer_albedo(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& point) {

@@ -18,10 +18,11 @@ struct ShadingPoint {
     Vec3 geometric_normal;  // polygon: of the triangle, on the eye's side
     Excluded excluded;      // what rays from here must not meet
     uint32_t fiber = kPolygon;
-    uint32_t segment = kNone;  // fiber: the one hit
-    float h = 0;               // fiber: offset of the hit, see fiber.h
-    Rgb color{0};              // fiber: sigma_a; polygon: albedo
-    float depth = 0;           // along the camera ray
+    uint32_t segment = kNone;            // fiber: the one hit
+    float h = 0;                         // fiber: offset of the hit, see fiber.h
+    Rgb color{0};                        // fiber: sigma_a; polygon: albedo
+    FiberLobes lobes = FiberLobes::all;  // fiber: what of f scatters here
+    float depth = 0;                     // along the camera ray
 };
 
 /// A nearest hit, as queries return it (NearestHits in accel/queries.h).
@@ -34,10 +35,13 @@ struct Hit {
 ShadingPoint fiber_point(const Scene& scene, const PreparedScene& prepared, const Vec3& direction, const Hit& hit);
 ShadingPoint polygon_point(const Scene& scene, const Vec3& direction, const Hit& hit);
 
-/// f |cos theta_i| towards a direction, and the density with which sample_scattering draws it.
+/// f |cos theta_i| towards a direction in its two parts, and the density with which sample_scattering draws it.
 struct Scattering {
-    Rgb value{0};
-    float pdf = 0;  // 1 / steradian
+    Rgb forward{0};    // f_F |cos theta_i|: a fiber's TT lobe
+    Rgb reflected{0};  // f_R |cos theta_i|, and all that a polygon does
+    float pdf = 0;     // 1 / steradian
+
+    Rgb value() const { return forward + reflected; }
 };
 
 /// `wi` is a unit vector (world).

@@ -9,7 +9,17 @@
 
 namespace tress {
 
-enum class LoopStage : size_t { camera_rays, type1, type2, count };
+enum class LoopStage : size_t {
+    camera_rays,
+    type1,
+    sky,
+    gather_rays,
+    polygon_gather,
+    crossing_gather,
+    photon_display,
+    paths,
+    count
+};
 
 /// Nanoseconds summed over threads, one a stage.
 struct StageClocks {

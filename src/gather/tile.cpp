@@ -53,7 +53,8 @@ void find_nearest(const TileContext& context, TileScratch& s) {
 
 Rgb background(const TileContext& context, const Vec3& direction) {
     Rgb sum(0);
-    for (const uint32_t light : context.plan.type2_lights)
+    if (!context.plan.background) return sum;
+    for (const uint32_t light : context.plan.environments)
         sum += radiance(*context.prepared.environment[light], direction);
     return sum;
 }
@@ -80,12 +81,61 @@ void make_points(const TileContext& context, TileScratch& s) {
     }
 }
 
-/// Light of one type, into the sums of its layer.
-void add_light(const TileContext& context, std::span<const uint32_t> lights, Rgb FilmSample::*layer, TileScratch& s) {
-    s.radiance.assign(s.points.size(), Rgb(0));
-    s.light(context.scene, context.prepared, context.options, lights, s.points, s.point_samplers, s.radiance);
-    for (size_t i = 0; i < s.points.size(); ++i) s.film[s.row_of_point[i]].*layer += s.radiance[i];
-}
+/// Light of every type, stage by stage, into the sums of each point.
+class TileLight {
+public:
+    TileLight(const TileContext& context, TileScratch& scratch, StageClocks& clocks)
+        : c_(context), s_(scratch), clocks_(clocks) {
+        s_.light.assign(s_.points.size(), LightByType{});
+    }
+
+    void operator()() {
+        const Plan& plan = c_.plan;
+        const auto lights = [&](const std::vector<uint32_t>& from) {
+            return
+                [&] { s_.direct(c_.scene, c_.prepared, c_.options, from, s_.points, s_.point_samplers, s_.radiance); };
+        };
+        if (plan.direct) one_type(LoopStage::type1, PathType::type1, lights(plan.lamps));
+        if (plan.sky) one_type(LoopStage::sky, PathType::type2, lights(plan.environments));
+        if (plan.gather_rays()) gather();
+        if (any(plan.photon_display)) {
+            const StageTimer timer(clocks_, LoopStage::photon_display);
+            s_.photon_display(c_.scene, c_.prepared, c_.options, plan.photon_display, s_.points, s_.light);
+        }
+        if (any(plan.paths)) {
+            const StageTimer timer(clocks_, LoopStage::paths);
+            s_.paths(c_.scene, c_.prepared, plan, c_.options, s_.points, s_.point_samplers, s_.light);
+        }
+    }
+
+private:
+    void gather() {
+        {
+            const StageTimer timer(clocks_, LoopStage::gather_rays);
+            make_gather_rays(c_.scene, c_.prepared, c_.options, s_.points, s_.point_samplers, s_.gather);
+        }
+        if (c_.plan.polygon_gather)
+            one_type(LoopStage::polygon_gather, PathType::type2,
+                     [&] { s_.polygon_light(c_.scene, c_.prepared, c_.options, s_.gather, s_.radiance); });
+        if (c_.plan.crossing_gather)
+            one_type(LoopStage::crossing_gather, PathType::type3, [&] {
+                s_.crossing_light(c_.scene, c_.prepared, c_.options, c_.plan.lamps, s_.gather, s_.radiance);
+            });
+    }
+
+    /// `add` adds to s_.radiance.
+    template <class Add>
+    void one_type(LoopStage stage, PathType type, const Add& add) {
+        const StageTimer timer(clocks_, stage);
+        s_.radiance.assign(s_.points.size(), Rgb(0));
+        add();
+        for (size_t i = 0; i < s_.points.size(); ++i) s_.light[i][size_t(index_of(type))] += s_.radiance[i];
+    }
+
+    const TileContext& c_;
+    TileScratch& s_;
+    StageClocks& clocks_;
+};
 
 }  // namespace
 
@@ -97,14 +147,8 @@ void render_tile(const TileContext& context, const Tile& tile, uint32_t sample, 
         find_nearest(context, s);
         make_points(context, s);
     }
-    if (!context.plan.type1_lights.empty()) {
-        const StageTimer timer(clocks, LoopStage::type1);
-        add_light(context, context.plan.type1_lights, &FilmSample::type1, s);
-    }
-    if (!context.plan.type2_lights.empty()) {
-        const StageTimer timer(clocks, LoopStage::type2);
-        add_light(context, context.plan.type2_lights, &FilmSample::type2, s);
-    }
+    TileLight(context, s, clocks)();
+    for (size_t i = 0; i < s.points.size(); ++i) s.film[s.row_of_point[i]].light = s.light[i];
     for (size_t row = 0; row < s.film.size(); ++row) add(film, s.pixels[row], s.film[row]);
 }
 

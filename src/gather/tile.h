@@ -6,7 +6,11 @@
 
 #include "core/camera.h"
 #include "core/film.h"
+#include "gather/crossing_light.h"
 #include "gather/direct_light.h"
+#include "gather/path_tracer.h"
+#include "gather/photon_display.h"
+#include "gather/polygon_light.h"
 #include "gather/stage_clock.h"
 
 namespace tress {
@@ -39,8 +43,14 @@ struct TileScratch {
     std::vector<ShadingPoint> points;  // one a pixel that hits something
     std::vector<uint32_t> row_of_point;
     std::vector<Sampler> point_samplers;
-    std::vector<Rgb> radiance;  // one a point
-    DirectLight light;
+    std::vector<Rgb> radiance;       // one a point
+    std::vector<LightByType> light;  // one a point
+    DirectLight direct;
+    GatherRays gather;
+    PolygonLight polygon_light;
+    CrossingLight crossing_light;
+    PhotonDisplay photon_display;
+    PathTracer paths;
 };
 
 void render_tile(const TileContext& context, const Tile& tile, uint32_t sample, TileScratch& scratch,

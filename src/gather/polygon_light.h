@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Light of Type 2 from polygons by the method `ray`: the photon map where gather rays end, seen through the hair.
+#pragma once
+
+#include "gather/gather_rays.h"
+#include "gather/visibility.h"
+
+namespace tress {
+
+class PolygonLight {
+public:
+    /// Adds to radiance[i] the light that points[i], where the rays start, sends to the eye.
+    void operator()(const Scene& scene, const PreparedScene& prepared, const Options& options, const GatherRays& rays,
+                    std::span<Rgb> radiance);
+};
+
+}  // namespace tress
