@@ -78,11 +78,34 @@ TEST_CASE("render writes an EXR with layers, a PNG beside it, and figures") {
                       [](const auto& entry) { return entry.first == "tress.options.spp" && entry.second == "2"; }));
 
     const Json stats = Json::parse(read_bytes(folder.file("s.json")));
-    for (const char* key : {"seconds", "stages", "left_out", "spp", "threads", "isa", "peak_rss_bytes", "segments",
-                            "dropped_segments", "options"})
+    for (const char* key : {"seconds", "stages", "left_out", "types", "spp", "threads", "isa", "peak_rss_bytes",
+                            "segments", "dropped_segments", "options"})
         CHECK(stats.contains(key));
+    double percent = 0;
+    for (const Json& type : stats["types"]) percent += type["percent"].get<double>();
+    CHECK(percent == doctest::Approx(100));
     for (const char* key : {"load", "build", "render", "total"}) CHECK(stats["seconds"][key].get<double>() >= 0);
     CHECK(stats["spp"] == 2);
+}
+
+TEST_CASE("--fiber changes the hair's colour, and contradictions are said in one line") {
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene), exr = folder.file("a.exr");
+    const auto albedo = [&](const std::string& fiber) {
+        REQUIRE(run_tress({"render", scene, "-o", exr, "--quiet", "--fiber", fiber}).exit_code == 0);
+        const LayeredImage picture = read_exr(exr);
+        double sum = 0;
+        for (const Layer& layer : picture.layers)
+            if (layer.name == "albedo")
+                for (const float v : layer.data) sum += double(v);
+        return sum;
+    };
+    CHECK(albedo("eumelanin=8") < albedo("eumelanin=0.1"));
+    const CommandResult r = run_tress({"plan", scene, "--scattering", "full"});
+    CHECK(r.exit_code == 2);
+    CHECK(r.error.find("scattering: 'full' with type1") != std::string::npos);
+    for (const char* bad : {"photons.count=-1", "photons.count=1e30", "photons.radius=nan", "gather.rays=0"})
+        CHECK(run_tress({"plan", scene, "--set", bad}).exit_code == 2);
 }
 
 TEST_CASE("figures and plan name the same stages") {

@@ -7,6 +7,7 @@
 #include "core/options.h"
 #include "core/plan.h"
 #include "core/stage_cost.h"
+#include "core/type_shares.h"
 
 namespace tress {
 
@@ -14,6 +15,7 @@ struct RenderStats {
     double load_seconds = 0, build_seconds = 0, render_seconds = 0, total_seconds = 0;
     std::vector<StageCost> stages;
     std::vector<PlanItem> left_out;
+    std::vector<TypeShare> types;
     int spp = 0, threads = 0;
     std::string isa;  // the one used
     uint64_t segments = 0, dropped_segments = 0;

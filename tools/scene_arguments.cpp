@@ -8,6 +8,7 @@
 #include "core/builtin_scene.h"
 #include "core/error.h"
 #include "core/film.h"
+#include "io/read_fiber.h"
 #include "io/scene_file.h"
 
 namespace tress {
@@ -34,6 +35,11 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     command.add_option("scene", arguments.scene, "scene file (JSON); without: the built-in scene");
     command.add_option("--size", arguments.size, "picture size, WIDTHxHEIGHT");
     command.add_option("--data", arguments.data, "folder that ${TRESS_DATA} stands for in scene files");
+    command
+        .add_option("--fiber", arguments.fiber,
+                    "a key of the scene file's fiber, for all hair: eumelanin=0.2, color=0.8,0.5,0.2, beta_m=0.3 ...")
+        ->expected(1)
+        ->take_all();
     Options defaults;
     for (const OptionField& field : option_fields(defaults)) {
         if (field.key.find('.') != std::string::npos) continue;
@@ -57,6 +63,8 @@ SceneDescription describe(const SceneArguments& arguments) {
     if (!arguments.data.empty())  // relative to where the command runs, not to the scene file
         setenv("TRESS_DATA", std::filesystem::absolute(arguments.data).c_str(), 1);
     SceneDescription scene = arguments.scene.empty() ? builtin_scene() : read_scene_file(arguments.scene);
+    if (!arguments.fiber.empty())
+        for (HairDescription& hair : scene.hair) hair.fiber = read_fiber(arguments.fiber, "--fiber", hair.fiber);
     for (const std::string& assignment : arguments.sets) set_option(scene.options, assignment);
     for (const auto& [key, text] : arguments.flags) set_option(scene.options, "--" + key, key, text);
     if (arguments.flags.contains("time") && !arguments.flags.contains("spp")) scene.options.spp = kMostSamples;

@@ -11,8 +11,6 @@ namespace {
 
 using Sums = std::vector<glm::dvec3>;
 
-constexpr PerType<const char*> kTypeLayers = {"type1", "type2", "type3", "type4", "type5"};
-
 /// Rounds to float without ever becoming infinite.
 float narrow(double value) {
     constexpr double largest = std::numeric_limits<float>::max();
@@ -112,7 +110,8 @@ size_t bytes(const Film& film) {
 LayeredImage develop(const Film& film) {
     LayeredImage image{film.width, film.height, {beauty_layer(film)}, {}};
     for (int t = 0; t < kPathTypes; ++t)
-        if (!film.types[t].light.empty()) image.layers.push_back(mean_layer(film, kTypeLayers[t], film.types[t].light));
+        if (!film.types[t].light.empty())
+            image.layers.push_back(mean_layer(film, type_name(PathType(t)), film.types[t].light));
     const uint32_t most = film.samples.empty() ? 0 : *std::max_element(film.samples.begin(), film.samples.end());
     if (most > 1) image.layers.push_back(variance_layer(film));
     image.layers.push_back(depth_layer(film));

@@ -31,6 +31,12 @@ inline PathType path_type(LightSource source, int reflections) {
     return of_lamps[std::min(reflections, 2)];
 }
 
+/// Their names as layers of pictures.
+inline constexpr const char* type_name(PathType type) {
+    constexpr const char* names[] = {"type1", "type2", "type3", "type4", "type5"};
+    return names[int(type)];
+}
+
 /// A value for each type.
 template <class T>
 using PerType = std::array<T, kPathTypes>;

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "core/error.h"
-#include "core/nearest_name.h"
 #include "io/file_name.h"
-#include "io/json_value.h"
+#include "io/json_fields.h"
+#include "io/read_fiber.h"
 
 namespace tress {
 namespace {
@@ -18,30 +18,8 @@ constexpr long long kMostChildren = 100000;         // a guide
 constexpr double kNarrowest = 1e-3, kWidest = 179;  // degrees, of a camera's field of view or a spot's cone
 constexpr double kSmallest = 1e-30;                 // of what must be over 0
 
-/// Sets `target` where the object has `key`.
-void get(const JsonValue& object, const char* key, float& target, double lowest, double highest) {
-    if (const auto value = object.find(key)) target = float(value->number(lowest, highest));
-}
-void get(const JsonValue& object, const char* key, double& target, double lowest, double highest) {
-    if (const auto value = object.find(key)) target = value->number(lowest, highest);
-}
-void get(const JsonValue& object, const char* key, Rgb& target, double highest = kLargestNumber) {
-    if (const auto value = object.find(key)) target = value->rgb(0, highest);
-}
-void get(const JsonValue& object, const char* key, DVec3& target) {
-    if (const auto value = object.find(key)) target = value->vector();
-}
-
 std::string file_name(const JsonValue& value, const std::string& folder) {
     return resolved_file_name(value.where(), value.text(), folder);
-}
-
-/// Which of `names` a text is.
-size_t choice(const JsonValue& value, const std::vector<std::string>& names) {
-    const auto found = std::find(names.begin(), names.end(), value.text());
-    if (found == names.end())
-        value.fail("unknown '" + value.text().substr(0, 40) + "', " + did_you_mean(value.text(), names));
-    return size_t(found - names.begin());
 }
 
 Camera read_camera(const JsonValue& object) {
@@ -71,31 +49,6 @@ Placement read_placement(const JsonValue& object) {
     return placement;
 }
 
-FiberDescription read_fiber(const JsonValue& object) {
-    object.check_keys({"model", "eumelanin", "pheomelanin", "sigma_a", "color", "beta_m", "beta_n", "alpha", "eta"});
-    FiberDescription fiber;
-    FiberParameters& p = fiber.parameters;
-    if (const auto model = object.find("model")) p.model = FiberModel(choice(*model, {"chiang", "marschner"}));
-    // Ranges are make_fiber's to know; here only what a float holds.
-    get(object, "beta_m", p.beta_m, -kLargestNumber, kLargestNumber);
-    get(object, "beta_n", p.beta_n, -kLargestNumber, kLargestNumber);
-    get(object, "alpha", p.alpha_degrees, -kLargestNumber, kLargestNumber);
-    get(object, "eta", p.eta, -kLargestNumber, kLargestNumber);
-
-    const bool has_melanin = object.has("eumelanin") || object.has("pheomelanin");
-    if (has_melanin + object.has("sigma_a") + object.has("color") > 1)
-        object.fail("more than one of eumelanin (with pheomelanin), sigma_a and color, expected one");
-    if (has_melanin) {
-        Melanin melanin{0, 0};
-        get(object, "eumelanin", melanin.eumelanin, 0, kLargestNumber);
-        get(object, "pheomelanin", melanin.pheomelanin, 0, kLargestNumber);
-        fiber.absorption = melanin;
-    }
-    if (const auto value = object.find("sigma_a")) fiber.absorption = SigmaA{value->rgb()};
-    if (const auto value = object.find("color")) fiber.absorption = FiberColor{value->rgb(0, 1)};
-    return fiber;
-}
-
 Children read_children(const JsonValue& object) {
     object.check_keys({"count", "spread"});
     Children children;
@@ -120,7 +73,7 @@ HairDescription read_hair(const JsonValue& object, const std::string& folder) {
     if (const auto radius = object.find("radius")) hair.radius = float(radius->number(0, kLargestNumber));
     get(object, "radius_scale", hair.radius_scale, 0, kLargestNumber);
     if (const auto children = object.find("children")) hair.children = read_children(*children);
-    if (const auto fiber = object.find("fiber")) hair.fiber = read_fiber(*fiber);
+    if (const auto fiber = object.find("fiber")) hair.fiber = read_fiber(*fiber, {});
     return hair;
 }
 
