@@ -101,6 +101,7 @@ TEST_CASE("--fiber changes the hair's colour, and contradictions are said in one
         return sum;
     };
     CHECK(albedo("eumelanin=8") < albedo("eumelanin=0.1"));
+    CHECK(run_tress({"plan", scene, "--reference", "--scattering", "full"}).exit_code == 0);
     const CommandResult r = run_tress({"plan", scene, "--scattering", "full"});
     CHECK(r.exit_code == 2);
     CHECK(r.error.find("scattering: 'full' with type1") != std::string::npos);

@@ -40,6 +40,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
                     "a key of the scene file's fiber, for all hair: eumelanin=0.2, color=0.8,0.5,0.2, beta_m=0.3 ...")
         ->expected(1)
         ->take_all();
+    command.add_flag("--reference", arguments.reference, "every type by path, where nothing else is said: the truth");
     Options defaults;
     for (const OptionField& field : option_fields(defaults)) {
         if (field.key.find('.') != std::string::npos) continue;
@@ -65,6 +66,11 @@ SceneDescription describe(const SceneArguments& arguments) {
     SceneDescription scene = arguments.scene.empty() ? builtin_scene() : read_scene_file(arguments.scene);
     if (!arguments.fiber.empty())
         for (HairDescription& hair : scene.hair) hair.fiber = read_fiber(arguments.fiber, "--fiber", hair.fiber);
+    if (arguments.reference) {
+        Options& o = scene.options;
+        o.type1 = o.type2 = o.type3 = GatherMethod::path;
+        o.type4 = o.type5 = ScatteredMethod::path;
+    }
     for (const std::string& assignment : arguments.sets) set_option(scene.options, assignment);
     for (const auto& [key, text] : arguments.flags) set_option(scene.options, "--" + key, key, text);
     if (arguments.flags.contains("time") && !arguments.flags.contains("spp")) scene.options.spp = kMostSamples;

@@ -17,10 +17,11 @@ struct SceneArguments {
     std::string data;                          // what ${TRESS_DATA} stands for in scene files; empty: the environment's
     std::map<std::string, std::string> flags;  // option key -> text, of the flags given
     std::vector<std::string> sets;             // "key=value"
+    bool reference = false;                    // every type by path
     std::vector<std::string> fiber;            // "key=value", of the fiber of all hair
 };
 
-/// Adds SCENE, --size, --data, --fiber, --set and a flag for every option outside a group (--spp, --type1 …).
+/// Adds SCENE, --size, --data, --fiber, --reference, --set and a flag for every option outside a group (--spp, --type1 …).
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
 /// The scene as its file and the command line say it; the command line wins. --time without --spp: as many samples as
