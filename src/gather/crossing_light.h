@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Light of Type 3 by the method `ray`: fibers that gather rays cross are lit by lamps, through hair, and reflect.
+// Light of Type 3 by the method `ray`: fibers that gather rays cross are lit by lamps, through hair, and reflect
+// (Yuksel, Akleman, Keyser 2007, sec. 4.1):
+//     L3 = integral of f cos(theta) sum_k V_{<k} L_k,   L_k = sum over lamps of f_R V E at the k-th crossing.
+//
+// options.gather.crossings = c > 0: c crossings of each ray are drawn in proportion to the luminance of V_{<k} and
+// weigh 1 / (c p_k), which keeps the mean; 0: every crossing counts, as in the paper. Wherever a crossing counts, all
+// lamps are weighed with nothing between, and a shadow ray goes to one of them, kept in proportion to the light that
+// it would bring: resampled importance sampling (Talbot et al. 2005).
 #pragma once
+
+#include <span>
+#include <vector>
 
 #include "gather/gather_rays.h"
 #include "gather/visibility.h"
@@ -13,6 +23,24 @@ public:
     /// lights.
     void operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
                     std::span<const uint32_t> lamps, const GatherRays& rays, std::span<Rgb> radiance);
+
+private:
+    /// A crossing that counts: of those found for the batch, and by how much.
+    struct Counted {
+        uint64_t crossing;
+        double share;
+    };
+    void count_crossings(std::span<const Rgb> before, uint64_t first, int most, float u);
+    void add_shadow_ray(const Scene& scene, const ShadingPoint& point, std::span<const uint32_t> lamps,
+                        const Sampler& sampler, uint32_t dimension, const Rgb& throughput, uint32_t row);
+
+    std::vector<float> cutoff_;  // one a ray
+    Flights flights_;
+    std::vector<Counted> counted_;  // of one ray
+    RayBuffer shadow_rays_;
+    std::vector<uint32_t> row_;  // of `radiance`, one a shadow ray, as the rest
+    std::vector<Rgb> unshadowed_, visibility_;
+    VisibilityQuery query_;
 };
 
 }  // namespace tress

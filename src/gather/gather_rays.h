@@ -18,6 +18,9 @@ struct GatherRays {
     std::vector<Rgb> weight;        // f |cos theta_i| / pdf / rays a point
     std::vector<float> t;           // of the polygon; infinity: none
     std::vector<uint32_t> polygon;  // triangle; kNone: none
+    std::vector<float> u, v;        // where on the triangle: of corners 1 and 2
+
+    size_t size() const { return rays.size(); }
 };
 
 /// options.gather.rays from every point; those that can bring no light are left out.

@@ -26,6 +26,15 @@ Vec3 shading_normal(const TriangleMesh& mesh, const Hit& hit, const Vec3& geomet
     return length > 0.5f ? n / length : geometric;  // zero normals say flat
 }
 
+/// albedo / pi cos theta, and nothing from behind the triangle.
+Scattering scatter_by_polygon(const ShadingPoint& point, const Vec3& wi, float cos_theta) {
+    const float pdf = pdf_cosine_hemisphere(cos_theta);
+    if (dot(wi, point.geometric_normal) <= 0) return {Rgb(0), Rgb(0), pdf};
+    return {Rgb(0), point.color * pdf, pdf};
+}
+
+Scattering of_fiber(const FiberSample& f) { return {f.value.forward, f.value.reflected, f.pdf}; }
+
 }  // namespace
 
 ShadingPoint fiber_point(const Scene& scene, const PreparedScene& prepared, const Vec3& direction, const Hit& hit) {
@@ -72,19 +81,18 @@ ShadingPoint polygon_point(const Scene& scene, const Vec3& direction, const Hit&
 
 Scattering scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi) {
     const Vec3 local = point.frame.to_local(wi);
-    if (point.fiber == kPolygon) {
-        const float pdf = pdf_cosine_hemisphere(local.z);
-        if (dot(wi, point.geometric_normal) <= 0) return {Rgb(0), Rgb(0), pdf};
-        return {Rgb(0), point.color * pdf, pdf};  // albedo / pi cos theta
-    }
-    const FiberSample f =
-        evaluate_with_pdf(scene.fibers[point.fiber], point.color, point.wo, local, point.h, point.lobes);
-    return {f.value.forward, f.value.reflected, f.pdf};
+    if (point.fiber == kPolygon) return scatter_by_polygon(point, wi, local.z);
+    return of_fiber(evaluate_with_pdf(scene.fibers[point.fiber], point.color, point.wo, local, point.h, point.lobes));
 }
 
-Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u) {
-    if (point.fiber == kPolygon) return point.frame.to_world(sample_cosine_hemisphere({u.x, u.y}));
-    return point.frame.to_world(sample(scene.fibers[point.fiber], point.color, point.wo, point.h, u, point.lobes).wi);
+ScatteredDirection draw_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u) {
+    if (point.fiber == kPolygon) {
+        const Vec3 local = sample_cosine_hemisphere({u.x, u.y});
+        const Vec3 wi = point.frame.to_world(local);
+        return {wi, scatter_by_polygon(point, wi, local.z)};
+    }
+    const FiberSample s = sample(scene.fibers[point.fiber], point.color, point.wo, point.h, u, point.lobes);
+    return {point.frame.to_world(s.wi), of_fiber(s)};
 }
 
 Rgb layer_albedo(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& point) {

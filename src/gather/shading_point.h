@@ -47,8 +47,17 @@ struct Scattering {
 /// `wi` is a unit vector (world).
 Scattering scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi);
 
-/// Unit direction (world) with density near proportional to f |cos theta_i|. `u` is uniform in [0, 1)^4.
-Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u);
+/// Unit direction (world) with density near proportional to f |cos theta_i|, and what scatters from there.
+struct ScatteredDirection {
+    Vec3 direction;
+    Scattering scattering;
+};
+/// `u` is uniform in [0, 1)^4.
+ScatteredDirection draw_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u);
+/// The direction alone.
+inline Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u) {
+    return draw_scattering(scene, point, u).direction;
+}
 
 /// For the albedo layer: of a polygon its own, of a fiber the share that goes straight through it at normal incidence.
 Rgb layer_albedo(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& point);
