@@ -66,6 +66,26 @@ void CrossingLight::add_shadow_ray(const Scene& scene, const ShadingPoint& point
     unshadowed_.push_back(bounded(color * reservoir.sum()));
 }
 
+/// Of gather ray `ray`, which crosses fibers begin .. end - 1 of those found for the batch.
+void CrossingLight::add_shadow_rays(const Scene& scene, const PreparedScene& prepared, const Options& options,
+                                    std::span<const uint32_t> lamps, const GatherRays& gather, size_t ray,
+                                    uint64_t begin, uint64_t end) {
+    const Crossings& found = flights_.crossings;
+    const Sampler sampler = stream_of(gather.samplers[ray], Stream::crossings);
+    count_crossings(std::span(flights_.before).subspan(begin, end - begin), begin, options.gather.crossings,
+                    sampler.get(kSweepDimension));
+    uint32_t dimension = kFirstCrossingDimension;
+    for (const Counted& c : counted_) {
+        const uint64_t k = c.crossing;
+        ShadingPoint point =
+            fiber_point(scene, prepared, gather.rays.direction(ray), {found.t[k], found.id[k], found.u[k], found.h[k]});
+        point.lobes = FiberLobes::reflected;
+        const Rgb throughput = gather.weight[ray] * flights_.before[k] * float(c.share);
+        add_shadow_ray(scene, point, lamps, sampler, dimension, throughput, gather.point[ray]);
+        dimension += dimensions_a_crossing(lamps.size());
+    }
+}
+
 void CrossingLight::operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
                                std::span<const uint32_t> lamps, const GatherRays& gather, std::span<Rgb> radiance) {
     const RayBatch rays = gather.rays.for_hair();
@@ -77,25 +97,10 @@ void CrossingLight::operator()(const Scene& scene, const PreparedScene& prepared
         shadow_rays_.clear();
         row_.clear();
         unshadowed_.clear();
-        const Crossings& found = flights_.crossings;
-        for (size_t i = 0; i < count; ++i) {
-            const size_t ray = first + i;
-            const uint64_t begin = found.first[i], crossings = found.first[i + 1] - begin;
-            if (crossings == 0) continue;
-            const Sampler sampler = stream_of(gather.samplers[ray], Stream::crossings);
-            count_crossings(std::span(flights_.before).subspan(begin, crossings), begin, options.gather.crossings,
-                            sampler.get(kSweepDimension));
-            uint32_t dimension = kFirstCrossingDimension;
-            for (const Counted& c : counted_) {
-                const uint64_t k = c.crossing;
-                ShadingPoint point = fiber_point(scene, prepared, gather.rays.direction(ray),
-                                                 {found.t[k], found.id[k], found.u[k], found.h[k]});
-                point.lobes = FiberLobes::reflected;
-                add_shadow_ray(scene, point, lamps, sampler, dimension,
-                               gather.weight[ray] * flights_.before[k] * float(c.share), gather.point[ray]);
-                dimension += dimensions_a_crossing(lamps.size());
-            }
-        }
+        const std::vector<uint64_t>& crossing = flights_.crossings.first;
+        for (size_t i = 0; i < count; ++i)
+            if (crossing[i] < crossing[i + 1])
+                add_shadow_rays(scene, prepared, options, lamps, gather, first + i, crossing[i], crossing[i + 1]);
         visibility_.resize(shadow_rays_.size());
         query_(prepared, shadow_rays_, options, visibility_);
         for (size_t i = 0; i < shadow_rays_.size(); ++i) radiance[row_[i]] += unshadowed_[i] * visibility_[i];

@@ -6,7 +6,9 @@
 // options.gather.crossings = c > 0: c crossings of each ray are drawn in proportion to the luminance of V_{<k} and
 // weigh 1 / (c p_k), which keeps the mean; 0: every crossing counts, as in the paper. Wherever a crossing counts, all
 // lamps are weighed with nothing between, and a shadow ray goes to one of them, kept in proportion to the light that
-// it would bring: resampled importance sampling (Talbot et al. 2005).
+// it would bring: resampled importance sampling (Talbot et al. 2005). On the built-in scene, with four lamps, a shadow
+// ray to each took 1.5 % off the variance for more than twice the time; every crossing took 35 % off that of one
+// crossing a ray, for four times the time.
 #pragma once
 
 #include <span>
@@ -31,6 +33,9 @@ private:
         double share;
     };
     void count_crossings(std::span<const Rgb> before, uint64_t first, int most, float u);
+    void add_shadow_rays(const Scene& scene, const PreparedScene& prepared, const Options& options,
+                         std::span<const uint32_t> lamps, const GatherRays& gather, size_t ray, uint64_t begin,
+                         uint64_t end);
     void add_shadow_ray(const Scene& scene, const ShadingPoint& point, std::span<const uint32_t> lamps,
                         const Sampler& sampler, uint32_t dimension, const Rgb& throughput, uint32_t row);
 
