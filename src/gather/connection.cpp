@@ -27,6 +27,18 @@ LightSample sample_lamp(const Light& light, const Vec3& point, const Vec2& u) {
     return std::visit(SampleLamp{point, u}, light);
 }
 
+LightSample sample_light(const Scene& scene, const PreparedScene& prepared, uint32_t light, const Vec3& origin,
+                         const Vec2& u) {
+    if (prepared.environment[light]) {
+        const EnvironmentSample sky = sample_environment(*prepared.environment[light], u);
+        if (!(sky.pdf > 0)) return {};
+        return {sky.direction, kInfinity, bounded(sky.radiance / sky.pdf), sky.pdf};
+    }
+    LightSample to = sample_lamp(scene.lights[light], origin, u);
+    to.distance = short_of(origin, to.distance);
+    return to;
+}
+
 Connection connect_lamp(const Scene& scene, const ShadingPoint& point, const Light& light, const Vec2& u) {
     const LightSample to = sample_lamp(light, point.position, u);
     if (!(max_component(to.irradiance) > 0)) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Straight ways from points to lamps.
+// Straight ways from points to lights.
 #pragma once
 
 #include "core/light_sample.h"
@@ -23,6 +23,10 @@ float short_of(const Vec3& point, float distance);
 
 /// `light` seen from `point`; nothing of an environment, which environment.h samples. `u` is uniform in [0, 1)^2.
 LightSample sample_lamp(const Light& light, const Vec3& point, const Vec2& u);
+
+/// One direction from `origin` towards a light of any kind; its distance stops short of the lamp.
+LightSample sample_light(const Scene& scene, const PreparedScene& prepared, uint32_t light, const Vec3& origin,
+                         const Vec2& u);
 
 /// Black where the lamp brings nothing.
 Connection connect_lamp(const Scene& scene, const ShadingPoint& point, const Light& light, const Vec2& u);

@@ -22,10 +22,26 @@ void VisibilityQuery::operator()(const PreparedScene& prepared, const RayBuffer&
         }
     }
     if (open_.empty()) return;
+    if (options.scattering == ScatteringModel::full)
+        stop_at_hair(prepared, options, visibility);
+    else
+        pass_hair(prepared, options, visibility);
+}
+
+void VisibilityQuery::pass_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility) {
     transmittance_.resize(open_.size());
     transmittance(prepared.hair, open_rays_.for_hair(), prepared.attenuation, options.cutoff, transmittance_,
                   options.isa);
     for (size_t i = 0; i < open_.size(); ++i) visibility[open_[i]] = transmittance_[i];
+}
+
+void VisibilityQuery::stop_at_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility) {
+    constexpr float nothing_passes = 0, stop_at_first = 1;
+    passing_.resize(open_.size());
+    crossings_.resize(open_.size());
+    transmittance_constant(prepared.hair, open_rays_.for_hair(), nothing_passes, stop_at_first, passing_, crossings_,
+                           options.isa);
+    for (size_t i = 0; i < open_.size(); ++i) visibility[open_[i]] = Rgb(passing_[i]);
 }
 
 }  // namespace tress

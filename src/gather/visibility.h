@@ -10,17 +10,23 @@
 
 namespace tress {
 
-/// Visibility of each ray over its whole length. Scratch arrays are kept between calls.
+/// Visibility of each ray over its whole length; under full scattering hair stops a ray. Scratch arrays are kept
+/// between calls.
 class VisibilityQuery {
 public:
     void operator()(const PreparedScene& prepared, const RayBuffer& rays, const Options& options,
                     std::span<Rgb> visibility);
 
 private:
+    void pass_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility);
+    void stop_at_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility);
+
     std::vector<uint8_t> occluded_;
     std::vector<uint32_t> open_;  // rays that no polygon stops
     RayBuffer open_rays_;
     std::vector<Rgb> transmittance_;
+    std::vector<float> passing_;
+    std::vector<uint32_t> crossings_;
 };
 
 }  // namespace tress
