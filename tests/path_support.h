@@ -2,10 +2,14 @@
 // What tests of paths share: points that an eye sees, and means with their standard errors.
 #pragma once
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 
 #include "core/rng.h"
 #include "gather/path_tracer.h"
+#include "tests/plain_path_tracer.h"
 #include "tests/small_scenes.h"
 
 namespace tress::test {
@@ -79,35 +83,50 @@ private:
     }
 };
 
-/// Luminance of each type and of their sum over `count` independent samples, spread evenly over `points`.
+/// Luminance of each type and of their sum.
 struct TypeMeans {
     PerType<Mean> type;
     Mean sum;
+
+    void add(const LightByType& light) {
+        double all = 0;
+        for (size_t t = 0; t < size_t(kPathTypes); ++t) {
+            type[t].add(double(luminance(light[t])));
+            all += double(luminance(light[t]));
+        }
+        sum.add(all);
+    }
 };
 
+/// Of `count` independent samples, spread evenly over `points`.
 inline TypeMeans trace_paths(const Viewed& view, const std::vector<ShadingPoint>& points, size_t count, uint64_t seed) {
+    std::vector<LightByType> light(count, LightByType{});
     constexpr size_t kBatch = 1024;
-    PathTracer tracer;
-    TypeMeans means;
-    for (size_t done = 0; done < count; done += kBatch) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, count, kBatch), [&](const tbb::blocked_range<size_t>& range) {
         std::vector<ShadingPoint> batch;
         std::vector<Sampler> samplers;
-        for (size_t i = 0; i < kBatch; ++i) {
-            batch.push_back(points[(done + i) % points.size()]);
-            samplers.push_back({hash(seed, done + i), 0});
+        for (size_t i = range.begin(); i < range.end(); ++i) {
+            batch.push_back(points[i % points.size()]);
+            samplers.push_back({hash(seed, i), 0});
         }
-        std::vector<LightByType> light(kBatch, LightByType{});
-        tracer(view.scene, view.prepared, view.plan, view.options, batch, samplers, light);
-        for (const LightByType& one : light) {
-            double sum = 0;
-            for (size_t t = 0; t < size_t(kPathTypes); ++t) {
-                means.type[t].add(double(luminance(one[t])));
-                sum += double(luminance(one[t]));
-            }
-            means.sum.add(sum);
-        }
-    }
+        const std::span<LightByType> to(&light[range.begin()], range.size());
+        PathTracer()(view.scene, view.prepared, view.plan, view.options, batch, samplers, to);
+    });
+    TypeMeans means;
+    for (const LightByType& one : light) means.add(one);
     return means;
+}
+
+/// The same light by the plain path tracer.
+inline Mean trace_plainly(const Viewed& view, const std::vector<ShadingPoint>& points, size_t count, uint64_t seed) {
+    const PlainPathTracer tracer(view.scene, view.prepared, view.options.scattering == ScatteringModel::full);
+    std::vector<double> light(count);
+    tbb::parallel_for(size_t(0), count, [&](size_t i) {
+        light[i] = double(luminance(tracer.sample(points[i % points.size()], hash(seed, i))));
+    });
+    Mean mean;
+    for (const double one : light) mean.add(one);
+    return mean;
 }
 
 }  // namespace tress::test

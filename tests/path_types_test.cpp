@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Each type of light by itself: against closed forms, against other ways to it, and when it alone is asked for.
+#include <doctest/doctest.h>
+
+#include "gather/direct_light.h"
+#include "tests/path_support.h"
+#include "tests/tufts.h"
+
+using namespace tress;
+using namespace tress::test;
+
+namespace {
+
+constexpr float kDistance = 1, kRadius = 0.3f, kIrradiance = 3;
+const Rgb kAbsorption(0.3f, 0.5f, 0.8f);
+
+/// An upright fiber that the eye sees, one behind it at kDistance, and far behind both a lamp.
+Scene two_fibers() {
+    const Fiber fiber = fiber_with(kAbsorption);
+    Camera camera = camera_on_z(20, 1e-3, 1);
+    camera.from.x = camera.to.x = 0.1;
+    return assemble({upright_fibers({{0, 0}, {0, -kDistance}}, 100, kRadius, fiber)}, {},
+                    {DistantLight{{0, 0, 1}, Rgb(kIrradiance)}}, camera);
+}
+
+/// The light that the first fiber sends to the eye after the second reflected it: the integral over all directions that
+/// meet the second, by midpoints.
+Rgb reflected_once(const Viewed& view) {
+    constexpr int kInclinations = 2000, kAzimuths = 200;
+    const ShadingPoint& x = view.points[0];
+    const Fiber& fiber = view.scene.fibers[0];
+    const Vec3 axis(0, -0.0f, view.prepared.segments.start(1).z), tangent(0, 1, 0);
+    const DVec3 to_axis(axis.x - x.position.x, 0, axis.z - x.position.z);
+    const double half = std::asin(double(kRadius) / length(to_axis)), middle = std::atan2(to_axis.x, -to_axis.z);
+    glm::dvec3 sum(0);
+    for (int i = 0; i < kInclinations; ++i) {
+        const double inclination = double(kPi) * ((i + 0.5) / kInclinations - 0.5);
+        for (int j = 0; j < kAzimuths; ++j) {
+            const double azimuth = middle + half * (2 * (j + 0.5) / kAzimuths - 1);
+            const DVec3 flat(std::sin(azimuth), 0, -std::cos(azimuth));
+            const Vec3 w(std::cos(inclination) * flat + std::sin(inclination) * DVec3(tangent));
+            const DVec3 offset = dot(to_axis, flat) * flat - to_axis;  // of the crossing from the axis
+            const float h = float(dot(offset, normalize(cross(DVec3(w), DVec3(tangent)))) / double(kRadius));
+            const Frame frame = fiber_frame(tangent, -w);
+            const Rgb reflected =
+                evaluate(fiber, kAbsorption, frame.to_local(-w), frame.to_local({0, 0, -1}), h).reflected;
+            sum += glm::dvec3(scatter(view.scene, x, w).value() * reflected) * std::cos(inclination);
+        }
+    }
+    return Rgb(sum * (double(kIrradiance) * double(kPi) / kInclinations * 2 * half / kAzimuths));
+}
+
+}  // namespace
+
+TEST_CASE("a lone lamp seen through one fiber: type 1 is weakened by it, type 3 is what it reflects, no 2 and no 5") {
+    const Scene scene = two_fibers();
+    const Viewed view(scene, all_by_path());
+    REQUIRE(view.points.size() == 1);
+    const TypeMeans types = trace_paths(view, view.points, 65536, 1);
+
+    const Rgb through = forward_albedo(scene.fibers[0], kAbsorption, 0);
+    const Rgb unshadowed = scatter(scene, view.points[0], {0, 0, -1}).value() * kIrradiance;
+    CHECK(types.type[0].value() == doctest::Approx(double(luminance(unshadowed * through))).epsilon(1e-4));
+    CHECK(types.type[0].standard_error() < 1e-4 * types.type[0].value());  // one lamp, one ray: nothing is random
+
+    const double expected = double(luminance(reflected_once(view)));
+    MESSAGE("type 3 " << types.type[2].value() << " +- " << types.type[2].standard_error() << ", by quadrature "
+                      << expected);
+    CHECK(types.type[2].standard_error() < 0.01 * expected);
+    CHECK(std::abs(types.type[2].value() - expected) < 3 * types.type[2].standard_error());
+    CHECK(types.type[1].sum == 0);
+    CHECK(types.type[4].sum == 0);
+}
+
+TEST_CASE("a type that alone is asked for is what it is among all of them, and no other is booked") {
+    constexpr size_t kSamples = 32768;
+    const Scene scene = two_tufts(24);
+    for (const ScatteringModel scattering : {ScatteringModel::straight, ScatteringModel::full}) {
+        const Viewed all(scene, all_by_path(scattering));
+        const std::vector<ShadingPoint> points = all.points_on(kBlonde);
+        const TypeMeans together = trace_paths(all, points, kSamples, 1);
+        for (int type = 0; type < kPathTypes; ++type) {
+            CAPTURE(type + 1);
+            Options options = all_by_path(scattering);
+            GatherMethod* const gathered[] = {&options.type1, &options.type2, &options.type3};
+            ScatteredMethod* const many[] = {&options.type4, &options.type5};
+            for (int other = 0; other < kPathTypes; ++other) {
+                if (other == type) continue;
+                if (other < 3)
+                    *gathered[other] = GatherMethod::off;
+                else
+                    *many[other - 3] = ScatteredMethod::off;
+            }
+            const TypeMeans alone = trace_paths(Viewed(scene, options), points, kSamples, 2);
+            const Mean &a = alone.type[size_t(type)], &b = together.type[size_t(type)];
+            const double error = standard_error_of_difference(a, b);
+            MESSAGE("type " << type + 1 << " alone " << a.value() << " +- " << a.standard_error() << ", among all "
+                            << b.value() << " +- " << b.standard_error());
+            CHECK(std::abs(a.value() - b.value()) < 3 * error);
+            CHECK(alone.sum.value() == a.value());
+        }
+    }
+}
+
+TEST_CASE("types 1 and 2 without polygons are what shadow rays to lamps and sky find") {
+    constexpr size_t kSamples = 32768;
+    Scene scene = two_tufts(24);
+    scene.mesh = {};
+    const Viewed view(scene, all_by_path());
+    const TypeMeans paths = trace_paths(view, view.points, kSamples, 1);
+    for (int type = 0; type < 2; ++type) {
+        CAPTURE(type + 1);
+        std::vector<ShadingPoint> points;
+        std::vector<Sampler> samplers;
+        for (size_t i = 0; i < kSamples; ++i) {
+            points.push_back(view.points[i % view.points.size()]);
+            samplers.push_back({hash(2, i), 0});
+        }
+        std::vector<Rgb> light(kSamples, Rgb(0));
+        DirectLight()(scene, view.prepared, view.options, type == 0 ? view.plan.lamps : view.plan.environments, points,
+                      samplers, light);
+        Mean direct;
+        for (const Rgb& one : light) direct.add(double(luminance(one)));
+        const double error = standard_error_of_difference(paths.type[size_t(type)], direct);
+        CHECK(error < 0.02 * direct.value());
+        CHECK(std::abs(paths.type[size_t(type)].value() - direct.value()) < 3 * error);
+    }
+}
