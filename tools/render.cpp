@@ -78,15 +78,15 @@ void add_metadata(LayeredImage& picture, const RenderStats& stats, Options optio
 }
 
 /// "light: type1 61.2 ± 0.1 %, type2 …"
-void print(const std::vector<TypeShare>& types) {
+void print(const char* what, const std::vector<TypeShare>& types) {
     std::string line;
     for (const TypeShare& share : types) {
         char text[64];
-        std::snprintf(text, sizeof text, "%s%s %.2f ± %.2f %%", line.empty() ? "light: " : ", ", type_name(share.type),
+        std::snprintf(text, sizeof text, "%s%s %.2f ± %.2f %%", line.empty() ? "" : ", ", type_name(share.type),
                       share.percent, share.percent_error);
         line += text;
     }
-    if (!line.empty()) std::fprintf(stderr, "%s\n", line.c_str());
+    if (!line.empty()) std::fprintf(stderr, "%s: %s\n", what, line.c_str());
 }
 
 void run(const RenderArguments& arguments) {
@@ -113,8 +113,12 @@ void run(const RenderArguments& arguments) {
     stats.stages = prepared.costs;
     for (StageCost& cost : loop_costs(state, plan)) stats.stages.push_back(std::move(cost));
     stats.left_out = plan.left_out;
-    stats.types = type_shares(state.film);
-    if (!arguments.quiet) print(stats.types);
+    stats.types = type_shares(state.film, ShareOf::picture);
+    stats.types_on_hair = type_shares(state.film, ShareOf::hair);
+    if (!arguments.quiet) {
+        print("light", stats.types);
+        print("light on hair", stats.types_on_hair);
+    }
     stats.spp = state.samples;
     stats.threads = threads;
     stats.isa = isa_name(isa);

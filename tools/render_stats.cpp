@@ -4,6 +4,20 @@
 #include <sys/resource.h>
 
 namespace tress {
+namespace {
+
+nlohmann::ordered_json to_json(const std::vector<TypeShare>& shares) {
+    nlohmann::ordered_json types = nlohmann::ordered_json::array();
+    for (const TypeShare& share : shares)
+        types.push_back({{"name", type_name(share.type)},
+                         {"mean", share.mean},
+                         {"mean_error", share.mean_error},
+                         {"percent", share.percent},
+                         {"percent_error", share.percent_error}});
+    return types;
+}
+
+}  // namespace
 
 uint64_t peak_rss_bytes() {
     rusage usage{};
@@ -13,16 +27,10 @@ uint64_t peak_rss_bytes() {
 
 nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
     using Json = nlohmann::ordered_json;
-    Json stages = Json::array(), left_out = Json::array(), types = Json::array(), option_texts = Json::object();
+    Json stages = Json::array(), left_out = Json::array(), option_texts = Json::object();
     for (const StageCost& stage : stats.stages)
         stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"bytes", stage.bytes}});
     for (const PlanItem& item : stats.left_out) left_out.push_back({{"name", item.name}, {"why", item.why}});
-    for (const TypeShare& share : stats.types)
-        types.push_back({{"name", type_name(share.type)},
-                         {"mean", share.mean},
-                         {"mean_error", share.mean_error},
-                         {"percent", share.percent},
-                         {"percent_error", share.percent_error}});
     for (const OptionField& field : option_fields(options)) option_texts[field.key] = option_text(field);
     return {{"seconds",
              {{"load", stats.load_seconds},
@@ -31,7 +39,8 @@ nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
               {"total", stats.total_seconds}}},
             {"stages", stages},
             {"left_out", left_out},
-            {"types", types},
+            {"types", to_json(stats.types)},
+            {"types_on_hair", to_json(stats.types_on_hair)},
             {"spp", stats.spp},
             {"threads", stats.threads},
             {"isa", stats.isa},

@@ -15,7 +15,7 @@ struct RenderStats {
     double load_seconds = 0, build_seconds = 0, render_seconds = 0, total_seconds = 0;
     std::vector<StageCost> stages;
     std::vector<PlanItem> left_out;
-    std::vector<TypeShare> types;
+    std::vector<TypeShare> types, types_on_hair;
     int spp = 0, threads = 0;
     std::string isa;  // the one used
     uint64_t segments = 0, dropped_segments = 0;

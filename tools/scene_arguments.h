@@ -21,7 +21,8 @@ struct SceneArguments {
     std::vector<std::string> fiber;            // "key=value", of the fiber of all hair
 };
 
-/// Adds SCENE, --size, --data, --fiber, --reference, --set and a flag for every option outside a group (--spp, --type1 …).
+/// Adds SCENE, --size, --data, --fiber, --reference, --set and a flag for every option outside a group (--spp, --type1
+/// …).
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
 /// The scene as its file and the command line say it; the command line wins. --time without --spp: as many samples as

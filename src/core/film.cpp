@@ -70,12 +70,13 @@ void check_film_size(int width, int height) {
 
 Film make_film(int width, int height, const Plan& plan) {
     const size_t n = size_t(width) * size_t(height);
-    Film film{width, height, {}, {}, {}, {}, {}, {}, {}};
+    Film film{width, height, {}, {}, {}, {}, {}, {}, {}, {}};
     for (Sums* sums : {&film.beauty, &film.squares, &film.albedo}) sums->assign(n, glm::dvec3(0));
     for (int t = 0; t < kPathTypes; ++t)
         if (plan.types[t]) film.types[t] = {Sums(n, glm::dvec3(0)), std::vector<double>(n, 0)};
     film.depth.assign(n, 0);
     film.hits.assign(n, 0);
+    film.hair_hits.assign(n, 0);
     film.samples.assign(n, 0);
     return film;
 }
@@ -96,11 +97,12 @@ void add(Film& film, size_t pixel, const FilmSample& sample) {
     film.albedo[pixel] += glm::dvec3(sample.albedo);
     film.depth[pixel] += double(sample.depth);
     ++film.hits[pixel];
+    film.hair_hits[pixel] += sample.on_hair;
 }
 
 size_t bytes(const Film& film) {
-    size_t total =
-        film.depth.capacity() * sizeof(double) + (film.hits.capacity() + film.samples.capacity()) * sizeof(uint32_t);
+    size_t total = film.depth.capacity() * sizeof(double) +
+                   (film.hits.capacity() + film.hair_hits.capacity() + film.samples.capacity()) * sizeof(uint32_t);
     for (const Sums* sums : {&film.beauty, &film.squares, &film.albedo}) total += sums->capacity() * sizeof(glm::dvec3);
     for (const TypeSums& type : film.types)
         total += type.light.capacity() * sizeof(glm::dvec3) + type.squares.capacity() * sizeof(double);

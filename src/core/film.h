@@ -19,6 +19,7 @@ struct FilmSample {
     Rgb albedo{0};
     float depth = 0;  // along the camera ray, where something was hit
     bool hit = false;
+    bool on_hair = false;
 };
 
 /// Light of one type, one entry a pixel; empty where the type has none.
@@ -33,7 +34,7 @@ struct Film {
     std::vector<glm::dvec3> beauty, squares, albedo;
     PerType<TypeSums> types;
     std::vector<double> depth;
-    std::vector<uint32_t> hits, samples;
+    std::vector<uint32_t> hits, hair_hits, samples;
 };
 
 /// Throws InputError where the picture has no pixels or more than a film is made for.

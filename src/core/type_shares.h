@@ -8,7 +8,10 @@
 
 namespace tress {
 
-/// Of one type: the mean luminance over all pixels, and its share of the sum of all types. Standard errors are from the
+/// Where light is counted: everywhere, or in each pixel in proportion to how much of it hair covers.
+enum class ShareOf { picture, hair };
+
+/// Of one type: the mean luminance over pixels, and its share of the sum of all types. Standard errors are from the
 /// spread of the samples within pixels: for low-discrepancy samples an upper estimate; 0 at one sample a pixel.
 struct TypeShare {
     PathType type;
@@ -17,6 +20,6 @@ struct TypeShare {
 };
 
 /// One for each type that the film holds.
-std::vector<TypeShare> type_shares(const Film& film);
+std::vector<TypeShare> type_shares(const Film& film, ShareOf where);
 
 }  // namespace tress

@@ -78,6 +78,7 @@ void make_points(const TileContext& context, TileScratch& s) {
         s.film[row].albedo = layer_albedo(context.scene, context.prepared, s.points.back());
         s.film[row].depth = hit.t;
         s.film[row].hit = true;
+        s.film[row].on_hair = !s.on_polygon[row];
     }
 }
 
