@@ -8,6 +8,7 @@
 
 #include "core/groom.h"
 #include "io/hair_file.h"
+#include "io/whole_file.h"
 
 namespace tress {
 namespace {
@@ -25,6 +26,7 @@ std::string known_names() {
 
 void write_groom(const GroomArguments& arguments) {
     HairFile hair;
+    check_writable(arguments.output);
     hair.strands = make_groom(arguments.name, arguments.segments, arguments.seed);
     hair.info = "tress groom " + arguments.name + " --segments " + std::to_string(arguments.segments) + " --seed " +
                 std::to_string(arguments.seed);
