@@ -28,7 +28,8 @@ Towards towards(const DVec3& light, const Vec3& point) {
     return {v / distance, distance};
 }
 
-/// 1 inside the cone, falling smoothly to 0 over its outer tenth.
+}  // namespace
+
 double spot_falloff(const SpotLight& light, const DVec3& from_light) {
     constexpr double soft = 0.9;
     const DVec3 axis = light.to - light.position;
@@ -36,8 +37,6 @@ double spot_falloff(const SpotLight& light, const DVec3& from_light) {
     const double angle = std::acos(glm::clamp(dot(from_light, axis) / length(axis), -1.0, 1.0));
     return 1 - glm::smoothstep(soft * half, half, angle);
 }
-
-}  // namespace
 
 LightSample sample(const PointLight& light, const Vec3& point, const Vec2&) {
     const Towards to = towards(light.position, point);

@@ -23,6 +23,10 @@ LightSample sample(const DistantLight& light, const Vec3& point, const Vec2& u);
 /// Uniform over the area.
 LightSample sample(const QuadLight& light, const Vec3& point, const Vec2& u);
 
+/// What a spot sends along the unit vector `from_light`, as a share of its intensity: 1 inside the cone, falling
+/// smoothly to 0 over its outer tenth.
+double spot_falloff(const SpotLight& light, const DVec3& from_light);
+
 /// Where a ray passes through a lamp that has an area.
 struct LampHit {
     float distance = kInfinity;  // infinity: nowhere, or from its dark side

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "accel/build.h"
+#include "gather/photon_tracing.h"
 
 namespace tress {
 namespace {
@@ -76,6 +77,14 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
         timed(p.costs, stage::kHairColors, [&] { return make_hair_colors(scene, p.segments, p.attenuation); });
     if (!plan.environments.empty())
         timed(p.costs, stage::kEnvironment, [&] { return make_environments(scene, plan, p.environment); });
+    if (plan.photons()) {
+        TracedPhotons traced;
+        timed(p.costs, stage::kPhotons, [&] {
+            traced = trace_photons(scene, p, plan, options);
+            return bytes(traced.on_polygons) + bytes(traced.in_hair);
+        });
+        p.photon_statistics = std::move(traced.statistics);
+    }
     return p;
 }
 

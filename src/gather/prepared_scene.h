@@ -8,6 +8,7 @@
 #include "accel/kd_tree.h"
 #include "core/attenuation.h"
 #include "core/environment.h"
+#include "core/photon_statistics.h"
 #include "core/plan.h"
 #include "core/scene.h"
 #include "core/stage_cost.h"
@@ -21,6 +22,7 @@ struct PreparedScene {
     Attenuation attenuation;                                     // empty where left out
     std::vector<std::optional<EnvironmentSampler>> environment;  // one a light; none where not an environment
     PhotonMaps photons;                                          // empty where left out
+    PhotonStatistics photon_statistics;                          // likewise
     std::vector<StageCost> costs;
 };
 

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "core/light_emission.h"
+
+#include <glm/trigonometric.hpp>
+#include <numbers>
+#include <optional>
+
+#include "core/frame.h"
+#include "core/light_sample.h"
+#include "core/sampling.h"
+
+namespace tress {
+namespace {
+
+constexpr double kPi64 = std::numbers::pi;
+
+Rgb bounded(const DVec3& power) { return Rgb(clamp(power, DVec3(0), DVec3(double(kLargestPower)))); }
+
+bool is_light(const Rgb& power) { return max_component(power) > 0; }
+
+/// Length that neither overflows nor vanishes.
+double safe_length(const DVec3& v) {
+    const double largest = glm::max(glm::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+    return largest > 0 && std::isfinite(largest) ? largest * length(v / largest) : largest;
+}
+
+/// An orthonormal frame about a unit axis, in double: from far away float directions would miss the scene.
+struct WideFrame {
+    DVec3 x, y, z;
+
+    explicit WideFrame(const DVec3& axis) : z(axis) {
+        const DVec3 near_x(frame_about(Vec3(axis)).x);
+        x = normalize(near_x - dot(near_x, z) * z);
+        y = cross(z, x);
+    }
+    DVec3 to_world(const DVec3& v) const { return v.x * x + v.y * y + v.z * z; }
+};
+
+/// Directions within an angle of an axis.
+struct Cone {
+    DVec3 axis{0, 0, 1};
+    double below = 2;  // 1 - cos(half angle): all round
+
+    double solid_angle() const { return 2 * kPi64 * below; }
+    DVec3 sample(const Vec2& u) const {
+        const double down = double(u.x) * below, turn = 2 * kPi64 * double(u.y);
+        const double radius = safe_sqrt(down * (2 - down));
+        return WideFrame(axis).to_world({radius * std::cos(turn), radius * std::sin(turn), 1 - down});
+    }
+};
+
+/// Where the sphere lies as seen from `from`.
+Cone cone_towards(const Sphere& sphere, const DVec3& from) {
+    const DVec3 to_center = sphere.center - from;
+    const double distance = safe_length(to_center);
+    if (distance <= sphere.radius) return {};
+    const double sine_squared = square(sphere.radius / distance);
+    return {to_center / distance, sine_squared / (1 + std::sqrt(1 - sine_squared))};
+}
+
+/// A spot's own cone or that about the sphere, whichever is narrower.
+Cone cone_of(const SpotLight& light, const Sphere& sphere) {
+    const Cone to_sphere = cone_towards(sphere, light.position);
+    const DVec3 axis = light.to - light.position;
+    const double distance = safe_length(axis);
+    if (!(distance > 0)) return {to_sphere.axis, 0};
+    const double below = 2 * square(std::sin(0.25 * glm::radians(light.angle)));
+    return below < to_sphere.below ? Cone{axis / distance, below} : to_sphere;
+}
+
+/// Where a ray comes into the sphere: its origin if that is inside, nothing if it passes.
+std::optional<DVec3> enter(const Sphere& sphere, const DVec3& origin, const DVec3& direction) {
+    const DVec3 from_center = origin - sphere.center;
+    const double to_closest = -dot(from_center, direction);
+    const double across_squared =
+        square(sphere.radius) - dot(from_center + to_closest * direction, from_center + to_closest * direction);
+    if (across_squared < 0) return {};
+    const double half = std::sqrt(across_squared);
+    if (to_closest + half <= 0) return {};
+    return origin + glm::max(to_closest - half, 0.0) * direction;
+}
+
+Emission starting(const Sphere& sphere, const DVec3& origin, const DVec3& direction, const Rgb& power) {
+    const std::optional<DVec3> entry = enter(sphere, origin, direction);
+    return entry ? Emission{Vec3(*entry), Vec3(direction), power} : Emission{};
+}
+
+/// Light that comes the same way from infinitely far, over a disc as wide as the sphere.
+Emission from_infinity(const Sphere& sphere, const DVec3& direction, const Vec2& u, const Rgb& power) {
+    const Vec2 disc = sample_concentric_disc(u);
+    const double x = double(disc.x), y = double(disc.y), above = safe_sqrt(1 - x * x - y * y);
+    const DVec3 entry = sphere.center + sphere.radius * WideFrame(direction).to_world({x, y, -above});
+    return {Vec3(entry), Vec3(direction), power};
+}
+
+double disc_area(const Sphere& sphere) { return kPi64 * square(sphere.radius); }
+
+}  // namespace
+
+Sphere sphere_about(const Bounds& bounds) {
+    if (bounds.empty()) return {};
+    constexpr double kGrowth = 1 + 0x1p-16;  // far more than what rounds away when points of it become floats
+    const DVec3 lo(bounds.lo), hi(bounds.hi);
+    return {0.5 * (lo + hi), 0.5 * kGrowth * length(hi - lo)};
+}
+
+Rgb emission_power(const PointLight& light, const Sphere& sphere) {
+    return bounded(DVec3(light.intensity) * cone_towards(sphere, light.position).solid_angle());
+}
+
+Rgb emission_power(const SpotLight& light, const Sphere& sphere) {
+    return bounded(DVec3(light.intensity) * cone_of(light, sphere).solid_angle());
+}
+
+Rgb emission_power(const DistantLight& light, const Sphere& sphere) {
+    const bool directed = safe_length(light.direction) > 0;
+    return directed ? bounded(DVec3(light.irradiance) * disc_area(sphere)) : Rgb(0);
+}
+
+Rgb emission_power(const QuadLight& light, const Sphere&) {
+    return bounded(DVec3(light.radiance) * (kPi64 * safe_length(cross(light.edge[0], light.edge[1]))));
+}
+
+Emission emit(const PointLight& light, const Sphere& sphere, const glm::vec4& u) {
+    const Rgb power = emission_power(light, sphere);
+    if (!is_light(power)) return {};
+    return starting(sphere, light.position, cone_towards(sphere, light.position).sample({u.x, u.y}), power);
+}
+
+Emission emit(const SpotLight& light, const Sphere& sphere, const glm::vec4& u) {
+    const Rgb power = emission_power(light, sphere);
+    if (!is_light(power)) return {};
+    const DVec3 direction = cone_of(light, sphere).sample({u.x, u.y});
+    if (!(double(u.z) < spot_falloff(light, direction))) return {};
+    return starting(sphere, light.position, direction, power);
+}
+
+Emission emit(const DistantLight& light, const Sphere& sphere, const glm::vec4& u) {
+    const Rgb power = emission_power(light, sphere);
+    if (!is_light(power)) return {};
+    return from_infinity(sphere, normalize(light.direction), {u.x, u.y}, power);
+}
+
+Emission emit(const QuadLight& light, const Sphere& sphere, const glm::vec4& u) {
+    const Rgb power = emission_power(light, sphere);
+    if (!is_light(power)) return {};
+    const DVec3 normal = normalize(cross(light.edge[0], light.edge[1]));
+    const DVec3 direction = WideFrame(normal).to_world(DVec3(sample_cosine_hemisphere({u.z, u.w})));
+    const DVec3 on_quad = light.corner + double(u.x) * light.edge[0] + double(u.y) * light.edge[1];
+    Emission emission = starting(sphere, on_quad, direction, power);
+    // A lamp may lie in a polygon's plane, as in a ceiling: photons start clear of its rounding.
+    constexpr float kUlps = 64 * std::numeric_limits<float>::epsilon();
+    const float largest = max_component(abs(emission.position)) + float(sphere.radius);
+    emission.position += Vec3(normal) * (kUlps * largest);
+    return emission;
+}
+
+Emission emit(const EnvironmentSampler& light, const Sphere& sphere, const glm::vec4& u) {
+    const EnvironmentSample from = sample_environment(light, {u.x, u.y});
+    if (!(from.pdf > 0)) return {};
+    const Rgb power = bounded(DVec3(from.radiance) * (disc_area(sphere) / double(from.pdf)));
+    if (!is_light(power)) return {};
+    return from_infinity(sphere, normalize(-DVec3(from.direction)), {u.z, u.w}, power);
+}
+
+Rgb emission_power(const EnvironmentSampler& light, const Sphere& sphere) {
+    return bounded(DVec3(light.power * disc_area(sphere)));
+}
+
+}  // namespace tress
