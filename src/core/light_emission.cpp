@@ -24,6 +24,8 @@ double safe_length(const DVec3& v) {
     return largest > 0 && std::isfinite(largest) ? largest * length(v / largest) : largest;
 }
 
+DVec3 unit(const DVec3& v) { return v / safe_length(v); }
+
 /// An orthonormal frame about a unit axis, in double: from far away float directions would miss the scene.
 struct WideFrame {
     DVec3 x, y, z;
@@ -68,9 +70,14 @@ Cone cone_of(const SpotLight& light, const Sphere& sphere) {
     return below < to_sphere.below ? Cone{axis / distance, below} : to_sphere;
 }
 
+/// From farther than this, in radii of the sphere, all ways to it are parallel: its points differ by less than rounding
+/// in single precision.
+constexpr double kFarAway = 1e8;
+
 /// Where a ray comes into the sphere: its origin if that is inside, nothing if it passes.
 std::optional<DVec3> enter(const Sphere& sphere, const DVec3& origin, const DVec3& direction) {
     const DVec3 from_center = origin - sphere.center;
+    if (safe_length(from_center) > kFarAway * sphere.radius) return {};  // a direction does not tell where it gets
     const double to_closest = -dot(from_center, direction);
     const double across_squared =
         square(sphere.radius) - dot(from_center + to_closest * direction, from_center + to_closest * direction);
@@ -91,6 +98,13 @@ Emission from_infinity(const Sphere& sphere, const DVec3& direction, const Vec2&
     const double x = double(disc.x), y = double(disc.y), above = safe_sqrt(1 - x * x - y * y);
     const DVec3 entry = sphere.center + sphere.radius * WideFrame(direction).to_world({x, y, -above});
     return {Vec3(entry), Vec3(direction), power};
+}
+
+/// Uniform in a cone from a point.
+Emission within(const Cone& cone, const DVec3& from, const Sphere& sphere, const glm::vec4& u, const Rgb& power) {
+    const Vec2 pair(u.x, u.y);
+    const bool far_away = safe_length(from - sphere.center) > kFarAway * sphere.radius;
+    return far_away ? from_infinity(sphere, cone.axis, pair, power) : starting(sphere, from, cone.sample(pair), power);
 }
 
 double disc_area(const Sphere& sphere) { return kPi64 * square(sphere.radius); }
@@ -124,27 +138,26 @@ Rgb emission_power(const QuadLight& light, const Sphere&) {
 Emission emit(const PointLight& light, const Sphere& sphere, const glm::vec4& u) {
     const Rgb power = emission_power(light, sphere);
     if (!is_light(power)) return {};
-    return starting(sphere, light.position, cone_towards(sphere, light.position).sample({u.x, u.y}), power);
+    return within(cone_towards(sphere, light.position), light.position, sphere, u, power);
 }
 
 Emission emit(const SpotLight& light, const Sphere& sphere, const glm::vec4& u) {
     const Rgb power = emission_power(light, sphere);
     if (!is_light(power)) return {};
-    const DVec3 direction = cone_of(light, sphere).sample({u.x, u.y});
-    if (!(double(u.z) < spot_falloff(light, direction))) return {};
-    return starting(sphere, light.position, direction, power);
+    const Emission emission = within(cone_of(light, sphere), light.position, sphere, u, power);
+    return double(u.z) < spot_falloff(light, DVec3(emission.direction)) ? emission : Emission{};
 }
 
 Emission emit(const DistantLight& light, const Sphere& sphere, const glm::vec4& u) {
     const Rgb power = emission_power(light, sphere);
     if (!is_light(power)) return {};
-    return from_infinity(sphere, normalize(light.direction), {u.x, u.y}, power);
+    return from_infinity(sphere, unit(light.direction), {u.x, u.y}, power);
 }
 
 Emission emit(const QuadLight& light, const Sphere& sphere, const glm::vec4& u) {
     const Rgb power = emission_power(light, sphere);
     if (!is_light(power)) return {};
-    const DVec3 normal = normalize(cross(light.edge[0], light.edge[1]));
+    const DVec3 normal = unit(cross(light.edge[0], light.edge[1]));
     const DVec3 direction = WideFrame(normal).to_world(DVec3(sample_cosine_hemisphere({u.z, u.w})));
     const DVec3 on_quad = light.corner + double(u.x) * light.edge[0] + double(u.y) * light.edge[1];
     Emission emission = starting(sphere, on_quad, direction, power);
