@@ -2,6 +2,7 @@
 #include "gather/photon_block.h"
 
 #include "core/sampling.h"
+#include "gather/fiber_photon.h"
 #include "gather/shading_point.h"
 
 namespace tress {
@@ -10,19 +11,13 @@ namespace {
 /// Chance of going on at most: light that nothing absorbs, as in a closed white room, must end too.
 constexpr float kMostSurvival = 0.99f;
 
-/// Below this |cos theta_i| the cosine by which f |cos theta_i| is divided stays: less than its square of all light
-/// that meets a fiber comes that near to its tangent.
-constexpr float kLeastCosine = 1e-3f;
-
-/// Dimensions: two groups a ray, after that of the start.
+/// Dimensions: three groups a ray, after that of the start.
 struct Dimensions {
     uint32_t flight, scattering;
 
     explicit Dimensions(uint32_t rays)
-        : flight(kSobolGroup * (1 + 2 * rays)), scattering(kSobolGroup * (2 + 2 * rays)) {}
+        : flight(kSobolGroup * (1 + 3 * rays)), scattering(kSobolGroup * (2 + 3 * rays)) {}
 };
-
-float cos_to_normal_plane(const Vec3& local) { return safe_sqrt(1 - local.x * local.x); }
 
 }  // namespace
 
@@ -99,27 +94,18 @@ void PhotonBlock::arrive_at_fiber(Photon& photon, size_t row, size_t k) {
     add(out_->in_hair, {on_axis, rays_.direction(row), power, type});
 }
 
-/// Light goes from wi, whence the photon came, to wo, and f is not reciprocal: wo is drawn as if the fiber were seen
-/// from wi, then weighed by f_R(wi, wo) as it is. Offsets change sides, as where a ray is reflected: h as seen from wo
-/// is -h as seen from wi.
 void PhotonBlock::scatter_at_fiber(Photon photon, size_t row, size_t k, float chance) {
     const Crossings& c = flights_.crossings;
-    const Vec3 direction = rays_.direction(row);
-    const ShadingPoint point = fiber_point(c_.scene, c_.prepared, direction, {c.t[k], c.id[k], c.u[k], c.h[k]});
-    const Fiber& fiber = c_.scene.fibers[point.fiber];
-    const Vec3 wi = point.wo;
-    const glm::vec4 u = photon.sampler.get4(Dimensions(photon.rays).scattering);
-    const FiberSample drawn = sample(fiber, point.color, wi, point.h, u, FiberLobes::reflected);
-    if (!(drawn.pdf > 0)) return;
-    const Vec3 wo = drawn.wi;
-    const Rgb f_cos_i = evaluate(fiber, point.color, wo, wi, -point.h).reflected;
-    const float cosines = cos_to_normal_plane(wo) / glm::max(cos_to_normal_plane(wi), kLeastCosine);
-    const Rgb weight = flights_.before[k] / chance * f_cos_i * (cosines / drawn.pdf);
-
-    const Vec3 leaving = point.frame.to_world(wo);
-    const Vec3 origin = fiber_point(c_.scene, c_.prepared, -leaving, {c.t[k], c.id[k], c.u[k], -c.h[k]}).position;
+    const ShadingPoint point =
+        fiber_point(c_.scene, c_.prepared, rays_.direction(row), {c.t[k], c.id[k], c.u[k], c.h[k]});
+    const Rgb event = flights_.before[k] / chance;
+    const LeavingPhoton out = scatter_photon(c_.scene.fibers[point.fiber], point.color, point.wo, photon.power * event,
+                                             photon.sampler, Dimensions(photon.rays).scattering);
+    if (!(max_component(out.weight) > 0)) return;
+    const Vec3 leaving = point.frame.to_world(out.wo);
+    const Vec3 origin = fiber_point(c_.scene, c_.prepared, -leaving, {c.t[k], c.id[k], c.u[k], out.h}).position;
     ++photon.reflections;
-    go_on(photon, weight, origin, leaving, point.excluded);
+    go_on(photon, event * out.weight, origin, leaving, point.excluded);
 }
 
 void PhotonBlock::arrive_at_polygon(Photon photon, size_t row) {
