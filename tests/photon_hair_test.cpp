@@ -237,7 +237,7 @@ TEST_CASE("without a map of polygons they keep only the types that are shown, an
     Options o = showing(kCount);
     o.type2 = GatherMethod::off;
     o.type5 = ScatteredMethod::off;
-    const PhotonScene s = photon_scene({ball_of_hair(coloured_fiber(), 600, 0.004f)}, {floor_below()},
+    const PhotonScene s = photon_scene({ball_of_hair(white_fiber(), 1500, 0.004f)}, {floor_below()},
                                        {PointLight{{0, 3, 1}, Rgb(1)}, EnvironmentLight{}}, o);
     const TracedPhotons photons = s.trace();
     CHECK(photons.statistics.lights.size() == 1);

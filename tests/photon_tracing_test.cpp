@@ -3,7 +3,6 @@
 #include "gather/photon_tracing.h"
 
 #include <doctest/doctest.h>
-#include <tbb/global_control.h>
 
 #include "core/error.h"
 #include "core/light_sample.h"
@@ -126,6 +125,17 @@ TEST_CASE("a quad in the plane of a ceiling lights the room, not the ceiling's b
     const TracedPhotons photons = s.trace();
     CHECK(photons.on_polygons.size() == kCount);
     for (const float y : photons.on_polygons.y) CHECK(y < 0.999f);
+}
+
+TEST_CASE("lists that would outgrow memory are refused, naming the option") {
+    const PhotonScene s =
+        photon_scene({}, {closed_box(1, Rgb(0.5f))}, {PointLight{{0, 0, 0}, Rgb(1)}}, photon_options(3 * kCount));
+    const TracedPhotons all = s.trace();
+    const size_t needed = all.on_polygons.size() * kPolygonPhotonBytes;
+    const auto trace = [&](size_t most) { return trace_photons(s.scene, s.prepared, s.plan, s.options, most); };
+    CHECK(trace(needed).on_polygons.size() == all.on_polygons.size());
+    CHECK_THROWS_WITH_AS(trace(needed - 1), doctest::Contains("photons.count"), InputError);
+    CHECK(bytes(all.on_polygons) == needed);
 }
 
 TEST_CASE("no photon, one photon and black lights leave finite lists") {

@@ -18,20 +18,20 @@ constexpr uint32_t kBlock = 4096;  // photons
 /// Counts the bytes of all blocks together.
 class PhotonMemory {
 public:
-    explicit PhotonMemory(int photons) : photons_(photons) {}
+    PhotonMemory(int photons, size_t most_bytes) : photons_(photons), most_(most_bytes) {}
 
     void operator()(size_t bytes) {
-        if ((stored_ += bytes) <= kMostPhotonBytes) return;
-        constexpr int kGigabyteBits = 30;
-        throw InputError("photons.count",
-                         std::to_string(photons_) + " photons leave more than " +
-                             std::to_string(kMostPhotonBytes >> kGigabyteBits) +
-                             " GiB where they arrive, expected fewer photons or type4 and type5 by another method");
+        if ((stored_ += bytes) <= most_) return;
+        constexpr int kMegabyteBits = 20;
+        throw InputError("photons.count", std::to_string(photons_) + " photons leave more than " +
+                                              std::to_string(most_ >> kMegabyteBits) +
+                                              " MiB where they arrive, expected fewer");
     }
 
 private:
     std::atomic<size_t> stored_{0};
     int photons_;
+    size_t most_;
 };
 
 PhotonStatistics no_photons(const PhotonSource& source) {
@@ -77,13 +77,13 @@ TracedPhotons join(std::vector<TracedPhotons>& blocks, const PhotonSource& sourc
 
 }  // namespace
 
-TracedPhotons trace_photons(const Scene& scene, const PreparedScene& prepared, const Plan& plan,
-                            const Options& options) {
+TracedPhotons trace_photons(const Scene& scene, const PreparedScene& prepared, const Plan& plan, const Options& options,
+                            size_t most_bytes) {
     const uint32_t count = uint32_t(options.photons.count);
     const PhotonSource source = make_photon_source(scene, prepared, plan, options.photons.count);
     std::vector<TracedPhotons> blocks(source.dark() ? 0 : (size_t(count) + kBlock - 1) / kBlock);
     const PhotonContext context{scene, prepared, plan, options, source};
-    PhotonMemory memory(options.photons.count);
+    PhotonMemory memory(options.photons.count, most_bytes);
     tbb::enumerable_thread_specific<PhotonBlock> tracers([&] { return PhotonBlock(context); });
     tbb::parallel_for(
         tbb::blocked_range<size_t>(0, blocks.size(), 1),

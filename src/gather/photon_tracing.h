@@ -23,8 +23,9 @@ struct TracedPhotons {
 
 /// options.photons.count photons from all lights together. Powers are for the whole: nothing is left to divide by the
 /// count. Of `prepared` the trees, the attenuation and the environments are read. The same lists for any number of
-/// threads and any instruction set. Throws InputError where they would take more than kMostPhotonBytes.
-TracedPhotons trace_photons(const Scene& scene, const PreparedScene& prepared, const Plan& plan,
-                            const Options& options);
+/// threads and any instruction set. Lights whose photons could be of no type that is stored get none. Throws InputError
+/// where the lists would take more than `most_bytes`.
+TracedPhotons trace_photons(const Scene& scene, const PreparedScene& prepared, const Plan& plan, const Options& options,
+                            size_t most_bytes = kMostPhotonBytes);
 
 }  // namespace tress
