@@ -15,7 +15,7 @@ struct LeavingPhoton {
 };
 
 /// A photon that comes from `wi` and meets the fiber anywhere across its width. Every channel of the weight counts by
-/// `color`. Uses the group of dimensions that starts at `dimension` and the first of the next.
+/// `color`. Uses the group of dimensions that starts at `dimension` and the next.
 LeavingPhoton scatter_photon(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wi, const Rgb& color,
                              const Sampler& sampler, uint32_t dimension);
 

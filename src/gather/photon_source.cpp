@@ -50,7 +50,7 @@ PhotonSource make_photon_source(const Scene& scene, const PreparedScene& prepare
         if (power[i] > 0) source.shares[i].factor = total / (power[i] * photons);
         below += power[i];
     }
-    source.end = 1;
+    source.dark = false;
     return source;
 }
 
@@ -62,7 +62,7 @@ StartingPhoton start_photon(const PhotonSource& source, const Scene& scene, cons
     const auto past = [](double at, const PhotonSource::Share& share) { return at < share.below; };
     auto next = std::upper_bound(source.shares.begin() + 1, source.shares.end(), double(u.x), past);
     const PhotonSource::Share& share = *(next - 1);
-    const double above = next == source.shares.end() ? source.end : next->below;
+    const double above = next == source.shares.end() ? 1 : next->below;
     u.x = std::min(float((double(u.x) - share.below) / (above - share.below)), kBelowOne);
 
     const auto of_light = [&](const auto& l) { return emit(l, source.sphere, u); };

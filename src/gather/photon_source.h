@@ -19,11 +19,9 @@ struct PhotonSource {
         double below;    // shares of those before it, of 1
         double factor;   // from an Emission's power to that of one photon; 0: no photons
     };
-    Sphere sphere;
+    Sphere sphere;  // about the scene
     std::vector<Share> shares;
-
-    bool dark() const { return shares.empty() || !(end > 0); }
-    double end = 0;  // sum of all shares: 1, or 0 where no light emits
+    bool dark = true;  // no light emits
 };
 
 /// Lights that may have photons of use: those of the plan whose light can be of a type that is stored.

@@ -81,7 +81,7 @@ TracedPhotons trace_photons(const Scene& scene, const PreparedScene& prepared, c
                             size_t most_bytes) {
     const uint32_t count = uint32_t(options.photons.count);
     const PhotonSource source = make_photon_source(scene, prepared, plan, options.photons.count);
-    std::vector<TracedPhotons> blocks(source.dark() ? 0 : (size_t(count) + kBlock - 1) / kBlock);
+    std::vector<TracedPhotons> blocks(source.dark ? 0 : (size_t(count) + kBlock - 1) / kBlock);
     const PhotonContext context{scene, prepared, plan, options, source};
     PhotonMemory memory(options.photons.count, most_bytes);
     tbb::enumerable_thread_specific<PhotonBlock> tracers([&] { return PhotonBlock(context); });
