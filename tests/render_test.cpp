@@ -145,11 +145,12 @@ TEST_CASE("beauty is the sum of the layers where something is hit") {
     Options options;
     options.spp = 4;
     const Rendered r = render(busy_scene(32), options);
-    const Layer &beauty = *r.layer(""), &type1 = *r.layer("type1"), &type2 = *r.layer("type2");
+    const Layer &beauty = *r.layer(""), &type1 = *r.layer("type1"), &type2 = *r.layer("type2"),
+                &type3 = *r.layer("type3");
     for (size_t i = 0; i < 32 * 32; ++i) {
         if (beauty.data[4 * i + 3] < 1) continue;  // some sky is seen directly
         for (size_t c = 0; c < 3; ++c) {
-            const float sum = type1.data[3 * i + c] + type2.data[3 * i + c];
+            const float sum = type1.data[3 * i + c] + type2.data[3 * i + c] + type3.data[3 * i + c];
             CHECK(beauty.data[4 * i + c] == doctest::Approx(double(sum)).epsilon(1e-6));
         }
     }
