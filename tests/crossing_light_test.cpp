@@ -147,7 +147,7 @@ TEST_CASE("Type 3 is its integral over directions and crossings, on a fiber and 
                 // 1 %: rows of 2.9 degrees, and 0.09 degrees across rims; twice as many of either move it by half of
                 // that.
                 CHECK(std::abs(e.mean[c] - expected[c]) < 4 * e.error[c] + 0.01 * expected[c]);
-                CHECK(e.error[c] < 0.025 * expected[c]);
+                CHECK(e.error[c] < 0.04 * expected[c]);
             }
         }
     }
