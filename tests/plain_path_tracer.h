@@ -10,18 +10,24 @@
 
 namespace tress::test {
 
-/// One ray and what it crosses.
+/// One ray and what it crosses; in the full model just the first fiber.
 class PlainRay {
 public:
     PlainRay(const PreparedScene& prepared, const Vec3& origin, const Vec3& direction, float t_far,
-             const Excluded& excluded)
+             const Excluded& excluded, bool full)
         : direction_(direction), prepared_(prepared) {
         rays_.add(origin, direction, t_far, excluded);
-        if (!prepared.mesh.empty())
-            nearest_triangle(prepared.mesh, rays_.for_mesh(),
-                             {{&polygon.t, 1}, {&polygon.id, 1}, {&polygon.u, 1}, {&polygon.h, 1}}, Isa::automatic);
+        const auto out = [](Hit& hit) { return NearestHits{{&hit.t, 1}, {&hit.id, 1}, {&hit.u, 1}, {&hit.h, 1}}; };
+        if (!prepared.mesh.empty()) nearest_triangle(prepared.mesh, rays_.for_mesh(), out(polygon), Isa::automatic);
         if (polygon.id != kNone) rays_.set_far(0, polygon.t);
-        if (!prepared.hair.empty()) crossed = crossings(prepared.hair, rays_.for_hair(), Isa::automatic);
+        if (prepared.hair.empty()) return;
+        if (!full) {
+            crossed = crossings(prepared.hair, rays_.for_hair(), Isa::automatic);
+            return;
+        }
+        Hit hit{kInfinity, kNone, 0, 0};
+        nearest_segment(prepared.hair, rays_.for_hair(), out(hit), Isa::automatic);
+        if (hit.id != kNone) crossed = {{0, 1}, {hit.t}, {hit.u}, {hit.h}, {hit.id}};
     }
 
     size_t crossings_met() const { return crossed.t.size(); }
@@ -75,7 +81,7 @@ private:
     Rgb value(const Path& path, const Scattering& s) const { return path.reflects ? s.reflected : s.value(); }
 
     Rgb visibility(const Path& path, const Vec3& direction, float distance) const {
-        const PlainRay ray(prepared_, path.point.position, direction, distance, path.point.excluded);
+        const PlainRay ray(prepared_, path.point.position, direction, distance, path.point.excluded, full_);
         if (ray.polygon.id != kNone) return Rgb(0);
         if (full_) return Rgb(ray.crossings_met() == 0 ? 1.0f : 0.0f);
         Rgb product(1);
@@ -121,7 +127,7 @@ private:
 
     /// Moves the path to where the ray ends; what it brings if that is the sky.
     Rgb follow(Path& path, const Vec3& direction) const {
-        const PlainRay ray(prepared_, path.point.position, direction, kInfinity, path.point.excluded);
+        const PlainRay ray(prepared_, path.point.position, direction, kInfinity, path.point.excluded, full_);
         for (size_t k = 0; k < ray.crossings_met(); ++k) {
             const Rgb a = full_ ? Rgb(0) : ray.passes(k);
             const float straight_on = mean(a);

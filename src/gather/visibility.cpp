@@ -36,12 +36,11 @@ void VisibilityQuery::pass_hair(const PreparedScene& prepared, const Options& op
 }
 
 void VisibilityQuery::stop_at_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility) {
-    constexpr float nothing_passes = 0, stop_at_first = 1;
-    passing_.resize(open_.size());
-    crossings_.resize(open_.size());
-    transmittance_constant(prepared.hair, open_rays_.for_hair(), nothing_passes, stop_at_first, passing_, crossings_,
-                           options.isa);
-    for (size_t i = 0; i < open_.size(); ++i) visibility[open_[i]] = Rgb(passing_[i]);
+    const size_t n = open_.size();
+    for (auto* floats : {&t_, &u_, &h_}) floats->resize(n);
+    id_.resize(n);
+    nearest_segment(prepared.hair, open_rays_.for_hair(), {t_, id_, u_, h_}, options.isa);
+    for (size_t i = 0; i < n; ++i) visibility[open_[i]] = Rgb(id_[i] == kNone ? 1.0f : 0.0f);
 }
 
 }  // namespace tress

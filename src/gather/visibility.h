@@ -19,14 +19,15 @@ public:
 
 private:
     void pass_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility);
+    /// By nearest hits, whose segments have round ends: what a path's ray would meet must stop its shadow rays too.
     void stop_at_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility);
 
     std::vector<uint8_t> occluded_;
     std::vector<uint32_t> open_;  // rays that no polygon stops
     RayBuffer open_rays_;
     std::vector<Rgb> transmittance_;
-    std::vector<float> passing_;
-    std::vector<uint32_t> crossings_;
+    std::vector<float> t_, u_, h_;
+    std::vector<uint32_t> id_;
 };
 
 }  // namespace tress
