@@ -67,8 +67,8 @@ TEST_CASE("a lone lamp behind a fiber is weakened by it in type 1, and there is 
 }
 
 TEST_CASE("type 3 between two fibers is the integral over all directions that meet the second") {
-    const Vec3 lamp(-0.6f, 0, 0.8f);
-    const Scene scene = two_fibers({1, 0}, lamp);
+    const Vec3 lamp(-0.8f, 0, 0.6f);
+    const Scene scene = two_fibers({0, -1}, lamp);
     Options options = all_by_path();
     options.type4 = ScatteredMethod::off;
     const Viewed view(scene, options);
@@ -81,12 +81,14 @@ TEST_CASE("type 3 between two fibers is the integral over all directions that me
 }
 
 TEST_CASE("a type that alone is asked for is what it is among all of them, and no other is booked") {
-    constexpr size_t kSamples = 32768;
+    // Ten comparisons, of light whose rare contributions are the brightest: errors are themselves known to a tenth.
+    constexpr double kErrors = 4;
+    constexpr size_t kSamples = 65536;
     const Scene scene = two_tufts(24);
     for (const ScatteringModel scattering : {ScatteringModel::straight, ScatteringModel::full}) {
         const Viewed all(scene, all_by_path(scattering));
         const std::vector<ShadingPoint> points = all.points_on(kBlonde);
-        const TypeMeans together = trace_paths(all, points, kSamples, 1);
+        const TypeMeans together = trace_paths(all, points, kSamples, 3);
         for (int type = 0; type < kPathTypes; ++type) {
             CAPTURE(type + 1);
             Options options = all_by_path(scattering);
@@ -99,12 +101,12 @@ TEST_CASE("a type that alone is asked for is what it is among all of them, and n
                 else
                     *many[other - 3] = ScatteredMethod::off;
             }
-            const TypeMeans alone = trace_paths(Viewed(scene, options), points, kSamples, 2);
+            const TypeMeans alone = trace_paths(Viewed(scene, options), points, kSamples, 4);
             const Mean &a = alone.type[size_t(type)], &b = together.type[size_t(type)];
             const double error = standard_error_of_difference(a, b);
-            MESSAGE("type " << type + 1 << " alone " << a.value() << " +- " << a.standard_error() << ", among all "
-                            << b.value() << " +- " << b.standard_error());
-            CHECK(std::abs(a.value() - b.value()) < 3 * error);
+            CAPTURE(a.value());
+            CAPTURE(b.value());
+            CHECK(std::abs(a.value() - b.value()) < kErrors * error);
             CHECK(alone.sum.value() == a.value());
         }
     }

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The sum of the five types against a plain path tracer, on whole heads of hair. The scene of straight.hair needs the
+// folder that TRESS_DATA names.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <sstream>
+
+#include "core/builtin_scene.h"
+#include "io/load_scene.h"
+#include "io/scene_file.h"
+#include "tests/path_support.h"
+
+using namespace tress;
+using namespace tress::test;
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What a small picture shows, without its background.
+void check_partition(const std::string& name, const SceneDescription& description) {
+    constexpr size_t kSamples = size_t(1) << 17, kPlainSamples = size_t(1) << 17;
+    const Scene scene = load_scene(description).scene;
+    for (const ScatteringModel scattering : {ScatteringModel::straight, ScatteringModel::full}) {
+        const Viewed view(scene, all_by_path(scattering));
+        const auto start = std::chrono::steady_clock::now();
+        const TypeMeans types = trace_paths(view, view.points, kSamples, 1);
+        const double seconds = seconds_since(start);
+        const Mean plain = trace_plainly(view, view.points, kPlainSamples, 2);
+        const double difference = types.sum.value() - plain.value();
+        const double error = standard_error_of_difference(types.sum, plain);
+        const std::string model = scattering == ScatteringModel::full ? "full" : "straight";
+        std::ostringstream shares;
+        for (const Mean& type : types.type) {
+            const double percent = 100 / types.sum.value();
+            shares << " " << percent * type.value() << " +- " << percent * type.standard_error();
+        }
+        MESSAGE(name << ", " << model << ": " << view.points.size() << " points; sum of types " << types.sum.value()
+                     << " +- " << types.sum.standard_error() << ", plainly " << plain.value() << " +- "
+                     << plain.standard_error() << ", difference " << difference << " +- " << error
+                     << "; types in percent" << shares.str() << "; " << double(kSamples) / seconds
+                     << " samples a second");
+        CHECK(error < 0.015 * plain.value());
+        CHECK(std::abs(difference) < 3 * error);
+    }
+}
+
+SceneDescription with_melanin(SceneDescription description, const Melanin& melanin) {
+    for (HairDescription& hair : description.hair) hair.fiber.absorption = melanin;
+    description.camera.width = description.camera.height = 64;
+    return description;
+}
+
+}  // namespace
+
+TEST_SUITE("slow") {
+    TEST_CASE("the five types make the whole of the light in the built-in scene, on dark and on blonde hair") {
+        check_partition("built-in, dark", with_melanin(builtin_scene(), {4, 0.2f}));
+        check_partition("built-in, blonde", with_melanin(builtin_scene(), {0.1f, 0.15f}));
+    }
+
+    TEST_CASE("the five types make the whole of the light on straight.hair") {
+        const char* data = std::getenv("TRESS_DATA");
+        if (!data || !*data) {
+            MESSAGE("skipped whole: TRESS_DATA does not name a folder of hair data");
+            return;
+        }
+        SceneDescription scene = read_scene_file(std::string(TRESS_SOURCE_DIR) + "/scenes/straight.json");
+        scene.camera.width = scene.camera.height = 64;
+        check_partition("straight.hair", scene);
+    }
+}
