@@ -16,6 +16,7 @@
 #include "io/load_scene.h"
 #include "io/png_file.h"
 #include "io/whole_file.h"
+#include "tools/photon_report.h"
 #include "tools/progress.h"
 #include "tools/render_stats.h"
 #include "tools/scene_arguments.h"
@@ -115,7 +116,9 @@ void run(const RenderArguments& arguments) {
     stats.left_out = plan.left_out;
     stats.types = type_shares(state.film, ShareOf::picture);
     stats.types_on_hair = type_shares(state.film, ShareOf::hair);
+    stats.photons = prepared.photon_statistics;
     if (!arguments.quiet) {
+        for (const std::string& line : photon_lines(stats.photons, scene)) std::fprintf(stderr, "%s\n", line.c_str());
         print("light", stats.types);
         print("light on hair", stats.types_on_hair);
     }

@@ -3,6 +3,8 @@
 
 #include <sys/resource.h>
 
+#include "tools/photon_report.h"
+
 namespace tress {
 namespace {
 
@@ -41,6 +43,7 @@ nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
             {"left_out", left_out},
             {"types", to_json(stats.types)},
             {"types_on_hair", to_json(stats.types_on_hair)},
+            {"photons", stats.photons.lights.empty() ? Json() : to_json(stats.photons)},
             {"spp", stats.spp},
             {"threads", stats.threads},
             {"isa", stats.isa},

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/options.h"
+#include "core/photon_statistics.h"
 #include "core/plan.h"
 #include "core/stage_cost.h"
 #include "core/type_shares.h"
@@ -16,6 +17,7 @@ struct RenderStats {
     std::vector<StageCost> stages;
     std::vector<PlanItem> left_out;
     std::vector<TypeShare> types, types_on_hair;
+    PhotonStatistics photons;
     int spp = 0, threads = 0;
     std::string isa;  // the one used
     uint64_t segments = 0, dropped_segments = 0;
