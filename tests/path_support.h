@@ -118,8 +118,9 @@ inline TypeMeans trace_paths(const Viewed& view, const std::vector<ShadingPoint>
 }
 
 /// The same light by the plain path tracer.
-inline Mean trace_plainly(const Viewed& view, const std::vector<ShadingPoint>& points, size_t count, uint64_t seed) {
-    const PlainPathTracer tracer(view.scene, view.prepared, view.options.scattering == ScatteringModel::full);
+inline Mean trace_plainly(const Viewed& view, const std::vector<ShadingPoint>& points, size_t count, uint64_t seed,
+                          PlainSky sky = PlainSky::met) {
+    const PlainPathTracer tracer(view.scene, view.prepared, view.options.scattering, sky);
     std::vector<double> light(count);
     tbb::parallel_for(size_t(0), count, [&](size_t i) {
         light[i] = double(luminance(tracer.sample(points[i % points.size()], hash(seed, i))));

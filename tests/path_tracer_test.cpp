@@ -70,3 +70,35 @@ TEST_CASE("paths are the same bit for bit for any number of threads and every in
         }
     }
 }
+
+TEST_CASE("lamps inside hair, of huge power, or of no size leave paths finite") {
+    Scene scene = two_tufts(16);
+    const Vec3 in_hair = scene.hair.point(0);
+    scene.lights = {
+        PointLight{DVec3(in_hair), Rgb(1e30f)}, QuadLight{DVec3(in_hair) - 0.5, {{1, 0, 0}, {0, 1, 0}}, Rgb(1e30f)},
+        QuadLight{{0, 2, 2}, {{1e-20, 0, 0}, {0, -1e-20, 0}}, Rgb(1)}, SpotLight{{0, 2, 2}, {0, 0, 0}, 1e-3, Rgb(1)},
+        EnvironmentLight{.file = {}, .image = {}, .radiance = Rgb(1e30f), .rotation = 0}};
+    for (const ScatteringModel scattering : {ScatteringModel::straight, ScatteringModel::full}) {
+        const TypeMeans types =
+            trace_paths(Viewed(scene, all_by_path(scattering)), Viewed(scene, all_by_path()).points, 8192, 1);
+        for (const Mean& type : types.type) CHECK(std::isfinite(type.sum));
+    }
+}
+
+TEST_CASE("paths in a closed room that loses no light come to an end") {
+    std::vector<PlacedMesh> room;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            room.push_back(square(1, Rgb(1)));
+            auto& m = room.back().placement.m;
+            m = {};
+            m[size_t(4 * axis + 3)] = side;
+            m[size_t(4 * ((axis + 1) % 3))] = m[size_t(4 * ((axis + 2) % 3) + 1)] = 1;
+            m[size_t(4 * axis + 2)] = 1;
+        }
+    const Scene scene = assemble({}, room, {PointLight{{0.1, 0.2, 0.3}, Rgb(1)}}, camera_on_z(0.9, 90, 8));
+    const TypeMeans types = trace_paths(Viewed(scene, all_by_path()), Viewed(scene, all_by_path()).points, 1024, 1);
+    CHECK(types.type[0].value() > 0);
+    CHECK(types.type[1].value() > 20 * types.type[0].value());  // many bounces, each as bright as the last
+    CHECK(std::isfinite(types.sum.sum));
+}

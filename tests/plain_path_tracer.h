@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The whole of the light that a point sends to the eye, written from the formula in the plainest way: one ray at a
 // time, at every crossing a choice between F and R, no types, no weighing of techniques. Lamps are only asked directly,
-// environments only met. An R event draws its direction by all of f, so that f_R alone is never sampled here.
+// environments only met (or only asked, where a small sun in them would be met too rarely). An R event draws its
+// direction by all of f, so that f_R alone is never sampled here.
 #pragma once
 
 #include "core/light_sample.h"
@@ -49,10 +50,12 @@ private:
     RayBuffer rays_;
 };
 
+enum class PlainSky { met, asked };
+
 class PlainPathTracer {
 public:
-    PlainPathTracer(const Scene& scene, const PreparedScene& prepared, bool full)
-        : scene_(scene), prepared_(prepared), full_(full) {}
+    PlainPathTracer(const Scene& scene, const PreparedScene& prepared, ScatteringModel scattering, PlainSky sky)
+        : scene_(scene), prepared_(prepared), full_(scattering == ScatteringModel::full), sky_(sky) {}
 
     /// One estimate of what `x` sends to the eye; `key` is the key of its random numbers.
     Rgb sample(const ShadingPoint& x, uint64_t key) const {
@@ -60,6 +63,7 @@ public:
         Rgb sum(0);
         for (int vertex = 0; path.alive; ++vertex) {
             sum += path.weight * from_lamps(path);
+            if (sky_ == PlainSky::asked) sum += path.weight * from_sky(path);
             const Vec3 direction = scatter_on(path);
             if (vertex >= 3) survive(path, vertex);
             if (path.alive) sum += follow(path, direction);
@@ -109,6 +113,20 @@ private:
         return sum;
     }
 
+    Rgb from_sky(Path& path) const {
+        Rgb sum(0);
+        for (const auto& environment : prepared_.environment) {
+            const float u = path.number();
+            const float v = path.number();
+            if (!environment) continue;
+            const EnvironmentSample to = sample_environment(*environment, {u, v});
+            if (!(to.pdf > 0)) continue;
+            const Rgb f = value(path, scatter(scene_, path.point, to.direction));
+            if (f != Rgb(0)) sum += f * to.radiance / to.pdf * visibility(path, to.direction, kInfinity);
+        }
+        return sum;
+    }
+
     Vec3 scatter_on(Path& path) const {
         glm::vec4 u;
         for (int i = 0; i < 4; ++i) u[i] = path.number();
@@ -147,6 +165,7 @@ private:
             return Rgb(0);
         }
         Rgb sky(0);
+        if (sky_ == PlainSky::asked) return sky;
         for (const auto& environment : prepared_.environment)
             if (environment) sky += radiance(*environment, direction);
         return path.weight * sky;
@@ -155,6 +174,7 @@ private:
     const Scene& scene_;
     const PreparedScene& prepared_;
     bool full_;
+    PlainSky sky_;
 };
 
 }  // namespace tress::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gather/path_tracer.h"
 
+#include <cmath>
+
 #include "gather/connection.h"
 #include "gather/streams.h"
 
@@ -57,7 +59,7 @@ void PathTracer::depart(const PathContext& context) {
         const glm::vec4 u = walk.sampler.get4(dimension_of(context, walk, PathNumber::scattering));
         const Vec3 direction = sample_scattering(context.scene, walk.point, u);
         const Scattering scattering = scatter(context.scene, walk.point, direction);
-        if (!(scattering.pdf > 0)) continue;
+        if (!std::isnormal(scattering.pdf)) continue;  // its inverse is finite
         Throughput throughput = still_wanted(context.goals, past_vertex(walk, scattering) * Rgb(1 / scattering.pdf));
         if (!goes_on(context.goals, throughput)) continue;
 
