@@ -73,7 +73,7 @@ TEST_CASE("type 3 between two fibers is the integral over all directions that me
     options.type4 = ScatteredMethod::off;
     const Viewed view(scene, options);
     REQUIRE(view.points.size() == 1);
-    const Mean type3 = trace_paths(view, view.points, size_t(1) << 18, 1).type[2];
+    const Mean type3 = trace_paths(view, view.points, size_t(1) << 17, 1).type[2];
     const double expected = double(luminance(reflected_once(view, lamp)));
     MESSAGE("type 3 " << type3.value() << " +- " << type3.standard_error() << ", by quadrature " << expected);
     CHECK(type3.standard_error() < 0.02 * expected);
