@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The irradiance of polygons, worked out beforehand at one in four of the photons on them (Christensen 1999, "Faster
+// photon map global illumination") and read at the nearest of those. Which photons become places to read from is drawn,
+// and the others alone, 4/3 as strong, make the irradiance there: were the same photons both, then places where they
+// happen to be dense would say more and be read from less often, and with 50 to an estimate 3.5 % of the light be lost.
+#pragma once
+
+#include "core/mesh.h"
+#include "core/options.h"
+#include "gather/polygon_photons.h"
+
+namespace tress {
+
+struct KdTree;
+
+/// In the order of the tree. Empty: no polygon is lit.
+struct IrradianceMap {
+    PointTree tree;
+    std::vector<Vec3> normal;     // unit, on the lit side
+    std::vector<Rgb> irradiance;  // W / area
+    float farthest = 0;           // that a place is read from
+};
+
+/// `mesh_tree` is of `mesh`, on which the photons of `list` lie. The same map for any number of threads.
+IrradianceMap make_irradiance_map(const PhotonList& list, const TriangleMesh& mesh, const KdTree& mesh_tree,
+                                  const Options& options);
+
+/// On the side of `normal` (geometric, unit); 0 where no photon of the same surface is near.
+Rgb irradiance(const IrradianceMap& map, const Vec3& position, const Vec3& normal);
+
+size_t bytes(const IrradianceMap& map);
+
+}  // namespace tress

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// How photons near a point are weighed: the cone filter (Jensen 1996) over the distance to the k-th of them. Where k
+// are not within the largest radius, that radius takes the k-th's place. Of photons spread evenly, sum of the weights /
+// integral of the cone is their density without bias: the k-th has no weight, and the k - 1 others fill a disc in which
+// (k - 1) / its area is unbiased.
+#pragma once
+
+#include <span>
+
+#include "accel/point_tree.h"
+#include "core/options.h"
+
+namespace tress {
+
+inline float cone(float distance2, float radius) { return glm::max(1 - std::sqrt(distance2) / radius, 0.0f); }
+
+/// Integral of the cone over a flat disc.
+inline float cone_integral(float radius) { return kPi / 3 * square(radius); }
+
+/// Bounds of the radius of an estimate, scene units.
+struct RadiusBounds {
+    float least = 0;  // two photons are no nearer to each other than their roundings
+    float largest = 0;
+};
+
+/// options.radius, or by the density of photons.
+RadiusBounds radius_bounds(const PointTree& photons, const PhotonOptions& options);
+
+/// `found`: up to k of the nearest, as find_nearest gives them.
+inline float bandwidth(std::span<const NearPoint> found, size_t k, const RadiusBounds& bounds) {
+    return found.size() < k ? bounds.largest : glm::max(std::sqrt(found.front().distance2), bounds.least);
+}
+
+}  // namespace tress
