@@ -59,9 +59,9 @@ TEST_CASE("the map keeps the energy that lands, at edges, corners and curves too
 
 TEST_CASE("X") {
     const TriangleMesh mesh = unit_square();
-    for (const int cells : {2, 8, 32})
-        for (const float dark : {0.0f, 0.01f, 0.1f})
-            for (const size_t n : {size_t(10'000), size_t(100'000), size_t(1'000'000)}) {
+    for (const int cells : {8})
+        for (const float dark : {0.0f})
+            for (const size_t n : {size_t(100000)}) {
                 PhotonList all = uniform_photons(mesh, 2 * n, 2.0), lit;
                 for (size_t i = 0; i < all.size(); ++i) {
                     const Vec3 p = all.position(i);

@@ -1,9 +1,65 @@
 // SPDX-License-Identifier: MIT
 #include "gather/photon_display.h"
 
+#include <cassert>
+
 namespace tress {
 
-void PhotonDisplay::operator()(const Scene&, const PreparedScene&, const Options&, const TypeSet&,
-                               std::span<const ShadingPoint>, std::span<LightByType>) {}
+/// L_o = sum of f(wi, wo) x flux. Photons meet a fiber in proportion to cos theta_i, so f stands without the cosine
+/// that evaluate() includes.
+void PhotonDisplay::show_on_fiber(const Scene& scene, const HairPhotons& photons, const ShadingPoint& point,
+                                  LightByType& light) {
+    constexpr float kLeastCosine = 1e-3f;  // a millionth of the photons arrives closer to the axis
+    hair_(photons, point.position);
+    wi_.clear();
+    for (const HairSearch::Flux& near : hair_.found())
+        wi_.push_back(point.frame.to_local(-photons.direction[near.place]));
+    scattered_.resize(wi_.size());
+    evaluate(scene.fibers[point.fiber], point.color, point.wo, point.h, wi_, scattered_);
+    for (size_t i = 0; i < wi_.size(); ++i) {
+        const HairSearch::Flux& near = hair_.found()[i];
+        const float cosine = glm::max(safe_sqrt(1 - square(wi_[i].x)), kLeastCosine);
+        const Rgb f_cosine =
+            scattered_[i].reflected + (point.lobes == FiberLobes::all ? scattered_[i].forward : Rgb(0));
+        light[photons.type[near.place]] += f_cosine / cosine * near.flux;
+    }
+}
+
+void PhotonDisplay::show_on_polygons(const Scene& scene, const PreparedScene& prepared, const Options& options,
+                                     std::span<const ShadingPoint> points, std::span<LightByType> light) {
+    const PolygonPhotons& photons = prepared.photons.shown.polygons;
+    surface_.clear();
+    irradiance_.clear();
+    radius_.clear();
+    for (const uint32_t i : on_polygon_) {
+        surface_.push_back(surface_point(points[i].position, points[i].geometric_normal));
+        disc_(photons, surface_.back());
+        irradiance_.push_back(disc_.irradiance(photons));
+        radius_.push_back(disc_.radius());
+    }
+    share_.resize(surface_.size());
+    coverage_(prepared.mesh, scene.mesh, options.isa, surface_, radius_, share_);
+    for (size_t p = 0; p < on_polygon_.size(); ++p) {
+        const uint32_t i = on_polygon_[p];
+        for (size_t type = 0; type < kPathTypes; ++type)
+            light[i][type] += points[i].color * (kInvPi / share_[p]) * irradiance_[p][type];
+    }
+}
+
+void PhotonDisplay::operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
+                               [[maybe_unused]] const TypeSet& shown, std::span<const ShadingPoint> points,
+                               std::span<LightByType> light) {
+    const ShownPhotons& photons = prepared.photons.shown;
+    assert(any(shown));
+    on_polygon_.clear();
+    for (uint32_t i = 0; i < points.size(); ++i) {
+        if (points[i].fiber == kPolygon) {
+            if (photons.polygons.size() > 0) on_polygon_.push_back(i);
+        } else if (!photons.hair.tree.empty()) {
+            show_on_fiber(scene, photons.hair, points[i], light[i]);
+        }
+    }
+    if (!on_polygon_.empty()) show_on_polygons(scene, prepared, options, points, light);
+}
 
 }  // namespace tress

@@ -12,6 +12,11 @@ public:
     /// Adds to radiance[i] the light that points[i], where the rays start, sends to the eye.
     void operator()(const Scene& scene, const PreparedScene& prepared, const Options& options, const GatherRays& rays,
                     std::span<Rgb> radiance);
+
+private:
+    RayBuffer lit_rays_;  // those that end on a lit polygon
+    std::vector<uint32_t> point_;
+    std::vector<Rgb> unshadowed_, visibility_;
 };
 
 }  // namespace tress

@@ -55,6 +55,21 @@ size_t make_environments(const Scene& scene, const Plan& plan, std::vector<std::
     return total;
 }
 
+void make_maps(const Scene& scene, const Plan& plan, const Options& options, const TracedPhotons& traced,
+               PreparedScene& p) {
+    if (plan.polygon_gather)
+        timed(p.costs, stage::kPhotonMap, [&] {
+            p.photons.irradiance = make_irradiance_map(traced.on_polygons, scene.mesh, p.mesh, options);
+            return bytes(p.photons.irradiance);
+        });
+    if (any(plan.photon_display))
+        timed(p.costs, stage::kShownPhotons, [&] {
+            p.photons.shown = make_shown_photons(traced.in_hair, traced.on_polygons, plan.photon_display, p.segments,
+                                                 options.photons);
+            return bytes(p.photons.shown);
+        });
+}
+
 }  // namespace
 
 PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& options) {
@@ -84,6 +99,7 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
             return bytes(traced.on_polygons) + bytes(traced.in_hair);
         });
         p.photon_statistics = std::move(traced.statistics);
+        make_maps(scene, plan, options, traced, p);
     }
     return p;
 }

@@ -10,6 +10,10 @@
 
 namespace tress {
 
+/// What hair lets through of each ray over its whole length: for rays that end where a polygon is, or none is met.
+void through_hair(const PreparedScene& prepared, const RayBuffer& rays, const Options& options,
+                  std::span<Rgb> visibility);
+
 /// Visibility of each ray over its whole length; under full scattering hair stops a ray. Scratch arrays are kept
 /// between calls.
 class VisibilityQuery {
@@ -18,14 +22,13 @@ public:
                     std::span<Rgb> visibility);
 
 private:
-    void pass_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility);
     /// By nearest hits, whose segments have round ends: what a path's ray would meet must stop its shadow rays too.
-    void stop_at_hair(const PreparedScene& prepared, const Options& options, std::span<Rgb> visibility);
+    void past_hair(const PreparedScene& prepared, const Options& options);
 
     std::vector<uint8_t> occluded_;
     std::vector<uint32_t> open_;  // rays that no polygon stops
     RayBuffer open_rays_;
-    std::vector<Rgb> transmittance_;
+    std::vector<Rgb> through_;  // one an open ray
     std::vector<float> t_, u_, h_;
     std::vector<uint32_t> id_;
 };
