@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "accel/point_tree.h"
-
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>
 
+#include "accel/point_balls.h"
 #include "core/rng.h"
 
 using namespace tress;
@@ -130,4 +129,24 @@ TEST_CASE("many equal points are searched no longer than many different ones") {
         tree, Vec3(1), 50, 1, [&](uint32_t, float) { return ++asked, true; }, found);
     CHECK(found.size() == 50);
     CHECK(asked == 50);
+}
+
+TEST_CASE("the balls that hold a point are those of brute force") {
+    for (const PointSet& set : point_sets()) {
+        CAPTURE(set.name);
+        const PointTree tree = make_point_tree(set.points);
+        std::vector<float> radius;
+        for (uint64_t i = 0; i < tree.size(); ++i) radius.push_back(0.3f * square(square(random(4, i))));
+        const PointBalls balls = make_point_balls(tree, radius);
+        for (uint64_t q = 0; q < 200; ++q) {
+            CAPTURE(q);
+            const Vec3 p = random_point(2, q);
+            std::vector<uint32_t> found, expected;
+            visit_holding(tree, balls, p, [&](uint32_t place, float) { found.push_back(place); });
+            for (uint32_t place = 0; place < tree.size(); ++place)
+                if (tree.distance2(p, place) < square(radius[place])) expected.push_back(place);
+            std::sort(found.begin(), found.end());
+            CHECK(found == expected);
+        }
+    }
 }

@@ -52,27 +52,27 @@ inline size_t bytes(const PointTree& tree) {
     return tree.x.capacity() * 3 * sizeof(float) + tree.id.capacity() * sizeof(uint32_t) + tree.axis.capacity();
 }
 
-/// Calls visit(place, distance2) for the points nearer to `p` than the root of radius2, in a fixed order; it returns
-/// the square of the radius that holds from then on, no larger than before.
-template <class Visit>
-void visit_near(const PointTree& tree, const Vec3& p, float radius2, const Visit& visit) {
-    struct Range {
-        uint32_t begin, end;
-        float distance2;  // none of its points is nearer
-    };
+/// Places of a part of the tree, whose points are no nearer to the point asked for than the root of distance2.
+struct PlaceRange {
+    uint32_t begin, end;
+    float distance2;
+
+    uint32_t middle() const { return begin + (end - begin) / 2; }
+};
+
+/// Calls offer(place) for all points but those in ranges that wanted(range) turns down, in a fixed order, near ones
+/// early.
+template <class Offer, class Wanted>
+void traverse(const PointTree& tree, const Vec3& p, const Offer& offer, const Wanted& wanted) {
     constexpr size_t kMostLevels = 32;  // sizes of 32 bits, halved
-    std::array<Range, kMostLevels> pending;
+    std::array<PlaceRange, kMostLevels> pending;
     size_t depth = 0;
-    const auto offer = [&](uint32_t place) {
-        const float distance2 = tree.distance2(p, place);
-        if (distance2 < radius2) radius2 = visit(place, distance2);
-    };
-    Range range{0, uint32_t(tree.size()), 0};
+    PlaceRange range{0, uint32_t(tree.size()), 0};
     while (true) {
         while (range.end - range.begin > PointTree::kLeafPoints) {
-            const uint32_t middle = range.begin + (range.end - range.begin) / 2, axis = tree.axis[middle];
+            const uint32_t middle = range.middle(), axis = tree.axis[middle];
             const float beyond = p[int(axis)] - tree.along(axis, middle);
-            Range near{range.begin, middle, range.distance2}, far{middle + 1, range.end, square(beyond)};
+            PlaceRange near{range.begin, middle, range.distance2}, far{middle + 1, range.end, square(beyond)};
             if (beyond > 0) {
                 std::swap(near.begin, far.begin);
                 std::swap(near.end, far.end);
@@ -86,8 +86,19 @@ void visit_near(const PointTree& tree, const Vec3& p, float radius2, const Visit
         do {
             if (depth == 0) return;
             range = pending[--depth];
-        } while (!(range.distance2 < radius2));
+        } while (!wanted(range));
     }
+}
+
+/// Calls visit(place, distance2) for the points nearer to `p` than the root of radius2, in a fixed order; it returns
+/// the square of the radius that holds from then on, no larger than before.
+template <class Visit>
+void visit_near(const PointTree& tree, const Vec3& p, float radius2, const Visit& visit) {
+    const auto offer = [&](uint32_t place) {
+        const float distance2 = tree.distance2(p, place);
+        if (distance2 < radius2) radius2 = visit(place, distance2);
+    };
+    traverse(tree, p, offer, [&](const PlaceRange& range) { return range.distance2 < radius2; });
 }
 
 struct NearPoint {

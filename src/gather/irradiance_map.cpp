@@ -7,7 +7,7 @@
 
 #include "core/mesh_points.h"
 #include "core/rng.h"
-#include "gather/disc_coverage.h"
+#include "gather/disc_sum.h"
 
 namespace tress {
 namespace {
@@ -27,13 +27,6 @@ Roles draw_roles(size_t photons) {
     for (uint32_t i = 0; i < photons; ++i) (random(kKey, i) < kPlaceShare ? roles.places : roles.sources).push_back(i);
     return roles;
 }
-
-struct Scratch {
-    DiscSearch search;
-    DiscCoverage coverage;
-    std::vector<SurfacePoint> points;
-    std::vector<float> radius, share;
-};
 
 enum class Side : uint8_t { front, back, both };
 
@@ -58,22 +51,61 @@ std::vector<Side> lit_sides(const MeshPoints& points, const PolygonPhotons& sour
     return sides;
 }
 
-/// Photons and even points; these on the side of the nearest light, or on both where there is none.
-MeshPoints list_places(const PhotonList& list, std::span<const uint32_t> photons, const PolygonPhotons& sources,
-                       const TriangleMesh& mesh) {
+MeshPoints photon_places(const PhotonList& list, std::span<const uint32_t> rows) {
+    MeshPoints places;
+    for (const uint32_t row : rows) {
+        places.position.push_back(list.position(row));
+        places.normal.push_back(list.normal[row]);
+    }
+    return places;
+}
+
+/// On the side of the nearest light, or on both where there is none.
+MeshPoints even_places(const TriangleMesh& mesh, size_t n, const PolygonPhotons& sources) {
+    const MeshPoints even = spread_points(mesh, n);
+    const std::vector<Side> sides = lit_sides(even, sources);
     MeshPoints places;
     const auto add = [&](const Vec3& position, const Vec3& normal) {
         places.position.push_back(position);
         places.normal.push_back(normal);
     };
-    for (const uint32_t row : photons) add(list.position(row), list.normal[row]);
-    const MeshPoints even = spread_points(mesh, size_t(kEvenShare * float(list.size())));
-    const std::vector<Side> sides = lit_sides(even, sources);
     for (size_t i = 0; i < even.position.size(); ++i) {
         if (sides[i] != Side::back) add(even.position[i], even.normal[i]);
         if (sides[i] != Side::front) add(even.position[i], -even.normal[i]);
     }
     return places;
+}
+
+std::vector<Vec3> joined(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    std::vector<Vec3> both = a;
+    both.insert(both.end(), b.begin(), b.end());
+    return both;
+}
+
+/// For each source the radius of its disc: what holds the k nearest sources about the nearest pilot.
+std::vector<float> disc_radii(const PolygonPhotons& sources, const MeshPoints& pilots) {
+    const PointTree tree = make_point_tree(pilots.position);
+    std::vector<float> of_pilot(tree.size()), of_source(sources.size());
+    tbb::enumerable_thread_specific<DiscSearch> searches;
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, tree.size(), kBatch), [&](const auto& range) {
+        DiscSearch& search = searches.local();
+        for (size_t i = range.begin(); i < range.end(); ++i) {
+            search(sources, surface_point(tree.position(i), pilots.normal[tree.id[i]]));
+            of_pilot[i] = search.radius();
+        }
+    });
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, sources.size(), kBatch), [&](const auto& range) {
+        for (size_t i = range.begin(); i < range.end(); ++i) {
+            const SurfacePoint source = surface_point(sources.tree.position(i), sources.normal[i]);
+            const uint32_t pilot =
+                nearest_place(tree, source.position, sources.radius.largest, [&](uint32_t at, float distance2) {
+                    return on_same_surface(source, tree.position(at) - source.position, std::sqrt(distance2),
+                                           pilots.normal[tree.id[at]]);
+                });
+            of_source[i] = pilot == kNowhere ? sources.radius.largest : of_pilot[pilot];
+        }
+    });
+    return of_source;
 }
 
 /// What the sources must stand for: all the power.
@@ -90,28 +122,24 @@ IrradianceMap make_irradiance_map(const PhotonList& list, const TriangleMesh& me
                                   const Options& options) {
     const Roles roles = draw_roles(list.size());
     const PolygonPhotons sources = make_polygon_photons(list, roles.sources, options.photons);
-    const auto& [position, normal] = list_places(list, roles.places, sources, mesh);
+    const MeshPoints pilots = photon_places(list, roles.places);
+    const PointBalls discs = make_point_balls(sources.tree, disc_radii(sources, pilots));
+    const MeshPoints even = even_places(mesh, size_t(kEvenShare * float(list.size())), sources);
+
     IrradianceMap map;
-    map.tree = make_point_tree(position);
-    map.normal = in_tree_order<Vec3>(map.tree, normal);
+    map.tree = make_point_tree(joined(pilots.position, even.position));
+    map.normal = in_tree_order<Vec3>(map.tree, joined(pilots.normal, even.normal));
     map.irradiance.resize(map.tree.size());
     map.farthest = sources.radius.largest;
-
     const float strength = power_of_all(list, roles);
-    tbb::enumerable_thread_specific<Scratch> scratch;
+    tbb::enumerable_thread_specific<DiscSum> sums;
     const auto fill = [&](const tbb::blocked_range<size_t>& range) {
-        Scratch& s = scratch.local();
-        s.points.clear();
-        s.radius.clear();
-        for (size_t i = range.begin(); i < range.end(); ++i) {
-            s.points.push_back(surface_point(map.tree.position(i), map.normal[i]));
-            s.search(sources, s.points.back());
-            s.radius.push_back(s.search.radius());
-            for (const Rgb& light : s.search.irradiance(sources)) map.irradiance[i] += light;
-        }
-        s.share.resize(s.points.size());
-        s.coverage(mesh_tree, mesh, options.isa, s.points, s.radius, s.share);
-        for (size_t i = range.begin(); i < range.end(); ++i) map.irradiance[i] *= strength / s.share[i - range.begin()];
+        std::vector<SurfacePoint> points;
+        for (size_t i = range.begin(); i < range.end(); ++i)
+            points.push_back(surface_point(map.tree.position(i), map.normal[i]));
+        const std::span<Rgb> irradiance = std::span(map.irradiance).subspan(range.begin(), range.size());
+        sums.local()(sources, discs, mesh_tree, mesh, options.isa, points, irradiance);
+        for (Rgb& light : irradiance) light *= strength;
     };
     tbb::parallel_for(tbb::blocked_range<size_t>(0, map.tree.size(), kBatch), fill, tbb::simple_partitioner());
     return map;
