@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include "accel/build.h"
+#include "core/head.h"
 #include "core/rng.h"
 #include "core/sampling.h"
 #include "tests/surface_photons.h"
@@ -58,18 +59,10 @@ TEST_CASE("the map keeps the energy that lands, at edges, corners and curves too
 }
 
 TEST_CASE("X") {
-    const TriangleMesh mesh = unit_square();
-    for (const int cells : {8})
-        for (const float dark : {0.0f})
-            for (const size_t n : {size_t(100000)}) {
-                PhotonList all = uniform_photons(mesh, 2 * n, 2.0), lit;
-                for (size_t i = 0; i < all.size(); ++i) {
-                    const Vec3 p = all.position(i);
-                    const bool on = (int(p.x * float(cells)) + int(p.y * float(cells))) % 2 == 0;
-                    if (on || random(9, i) < dark)
-                        add(lit, {p, all.direction[i], all.power[i], PathType(0)}, all.normal[i]);
-                }
-                const Energy e = energy(map_of(lit, mesh), mesh, double(lit.size()) / double(n), 200'000);
-                MESSAGE(cells << " " << dark << " " << n << ": " << e.share << " +- " << e.error);
-            }
+    const TriangleMesh mesh = make_head();
+    for (const size_t n : {size_t(3000), size_t(30'000), size_t(300'000)}) {
+        const PhotonList photons = uniform_photons(mesh, n, 1.0);
+        const Energy e = energy(map_of(photons, mesh), mesh, 1.0, 200'000);
+        MESSAGE(n << ": " << e.share << " +- " << e.error);
+    }
 }
