@@ -9,6 +9,9 @@ namespace {
 // Points on the hair a photon: 200 within the ball of 50 photons, where photons are as dense as on average.
 constexpr size_t kPointsAPhoton = 4, kFewestPoints = 1 << 16, kMostPoints = 1 << 24;
 
+// A photon that meets its fiber along the axis would speak for infinitely many. One in 10,000 of even light is below.
+constexpr float kLeastCosine = 0.01f;
+
 /// Integral over the hair about a point of the cone of `radius`.
 float cone_over_hair(const HairPhotons& photons, const Vec3& about, float radius) {
     constexpr float kMeanCone = 0.25f;  // over a ball
@@ -38,7 +41,7 @@ HairPhotons make_hair_photons(const PhotonList& list, std::span<const uint32_t> 
     photons.type.reserve(rows.size());
     for (const uint32_t id : photons.tree.id) {
         photons.direction.push_back(list.direction[rows[id]]);
-        photons.power.push_back(list.power[rows[id]]);
+        photons.power.push_back(list.power[rows[id]] / glm::max(list.cosine[rows[id]], kLeastCosine));
         photons.type.push_back(list.type[rows[id]]);
     }
     const HairPoints points =
@@ -56,7 +59,7 @@ size_t bytes(const HairPhotons& photons) {
 }
 
 void HairSearch::operator()(const HairPhotons& photons, const Vec3& about) {
-    flux_.clear();
+    beams_.clear();
     find_nearest(
         photons.tree, about, photons.nearest, photons.radius.largest, [](uint32_t, float) { return true; }, near_);
     if (near_.empty()) return;
@@ -64,7 +67,7 @@ void HairSearch::operator()(const HairPhotons& photons, const Vec3& about) {
     const float per_area = 1 / cone_over_hair(photons, about, radius);
     for (const NearPoint& near : near_) {
         const float weight = cone(near.distance2, radius) * per_area;
-        if (weight > 0) flux_.push_back({near.place, weight * photons.power[near.place]});
+        if (weight > 0) beams_.push_back({near.place, weight * photons.power[near.place]});
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Photons in hair, and points spread evenly over the hair, which tell how much of it lies about a point: photons shown
-// by their own density among such points are as bright in a thin lock as in a dense one.
+// by their own density among such points are as bright in a thin lock as in a dense one. Photons meet a fiber in
+// proportion to cos theta_i; with that divided out, each speaks for the light about it, whatever way its fiber ran.
 #pragma once
 
 #include "core/segments.h"
@@ -13,7 +14,7 @@ namespace tress {
 struct HairPhotons {
     PointTree tree;
     std::vector<Vec3> direction;  // of travel
-    std::vector<Rgb> power;
+    std::vector<Rgb> power;       // W, over cos theta_i where it arrived
     std::vector<uint8_t> type;
     PointTree area_points;
     float area = 0;  // of hair (diameter x length) that each of area_points stands for
@@ -31,17 +32,18 @@ class HairSearch {
 public:
     void operator()(const HairPhotons& photons, const Vec3& about);
 
-    /// Places, the same in the photons' arrays, and for each the flux that it brings a fiber at the point, per area
-    /// diameter x length: power x cone / integral of the cone over the hair about the point.
-    struct Flux {
-        uint32_t place;
-        Rgb flux;
+    /// Light of one direction at the point, as photons tell it: `light` = power / cos theta_i x cone / integral of the
+    /// cone over the hair (diameter x length) about the point, so that what a fiber sends out is the sum of
+    /// f |cos theta_i| x light.
+    struct Beam {
+        uint32_t place;  // in the photons' arrays
+        Rgb light;
     };
-    std::span<const Flux> found() const { return flux_; }
+    std::span<const Beam> found() const { return beams_; }
 
 private:
     std::vector<NearPoint> near_;
-    std::vector<Flux> flux_;
+    std::vector<Beam> beams_;
 };
 
 }  // namespace tress

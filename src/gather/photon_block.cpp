@@ -90,8 +90,10 @@ void PhotonBlock::arrive_at_fiber(Photon& photon, size_t row, size_t k) {
     if (!c_.plan.photon_display[size_t(index_of(type))]) return;
     const SegmentView& segments = c_.prepared.segments;
     const uint32_t segment = flights_.crossings.id[k];
-    const Vec3 on_axis = mix(segments.start(segment), segments.end(segment), flights_.crossings.u[k]);
-    add(out_->in_hair, {on_axis, rays_.direction(row), power, type});
+    const Vec3 start = segments.start(segment), end = segments.end(segment), direction = rays_.direction(row);
+    const Vec3 on_axis = mix(start, end, flights_.crossings.u[k]), tangent(normalize(DVec3(end) - DVec3(start)));
+    const float cosine = safe_sqrt(1 - square(dot(direction, tangent)));
+    add(out_->in_hair, {on_axis, direction, power, type}, cosine);
 }
 
 void PhotonBlock::scatter_at_fiber(Photon photon, size_t row, size_t k, float chance) {

@@ -5,24 +5,18 @@
 
 namespace tress {
 
-/// L_o = sum of f(wi, wo) x flux. Photons meet a fiber in proportion to cos theta_i, so f stands without the cosine
-/// that evaluate() includes.
 void PhotonDisplay::show_on_fiber(const Scene& scene, const HairPhotons& photons, const ShadingPoint& point,
                                   LightByType& light) {
-    constexpr float kLeastCosine = 1e-3f;  // a millionth of the photons arrives closer to the axis
     hair_(photons, point.position);
+    const std::span<const HairSearch::Beam> beams = hair_.found();
     wi_.clear();
-    for (const HairSearch::Flux& near : hair_.found())
-        wi_.push_back(point.frame.to_local(-photons.direction[near.place]));
+    for (const HairSearch::Beam& beam : beams) wi_.push_back(point.frame.to_local(-photons.direction[beam.place]));
     scattered_.resize(wi_.size());
     evaluate(scene.fibers[point.fiber], point.color, point.wo, point.h, wi_, scattered_);
-    for (size_t i = 0; i < wi_.size(); ++i) {
-        const HairSearch::Flux& near = hair_.found()[i];
-        const float cosine = glm::max(safe_sqrt(1 - square(wi_[i].x)), kLeastCosine);
-        const Rgb f_cosine =
-            scattered_[i].reflected + (point.lobes == FiberLobes::all ? scattered_[i].forward : Rgb(0));
-        light[photons.type[near.place]] += f_cosine / cosine * near.flux;
-    }
+    const float forward = point.lobes == FiberLobes::all ? 1 : 0;
+    for (size_t i = 0; i < wi_.size(); ++i)
+        light[photons.type[beams[i].place]] +=
+            (scattered_[i].reflected + forward * scattered_[i].forward) * beams[i].light;
 }
 
 void PhotonDisplay::show_on_polygons(const Scene& scene, const PreparedScene& prepared, const Options& options,

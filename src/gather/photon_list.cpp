@@ -9,8 +9,6 @@ void append(std::vector<T>& to, const std::vector<T>& more) {
     to.insert(to.end(), more.begin(), more.end());
 }
 
-}  // namespace
-
 void add(PhotonList& list, const Arrival& photon) {
     list.x.push_back(photon.position.x);
     list.y.push_back(photon.position.y);
@@ -18,6 +16,13 @@ void add(PhotonList& list, const Arrival& photon) {
     list.direction.push_back(photon.direction);
     list.power.push_back(photon.power);
     list.type.push_back(uint8_t(index_of(photon.type)));
+}
+
+}  // namespace
+
+void add(PhotonList& list, const Arrival& photon, float cosine) {
+    add(list, photon);
+    list.cosine.push_back(cosine);
 }
 
 void add(PhotonList& list, const Arrival& photon, const Vec3& normal) {
@@ -30,7 +35,11 @@ void reserve(PhotonList& list, size_t photons, bool on_polygons) {
     list.direction.reserve(photons);
     list.power.reserve(photons);
     list.type.reserve(photons);
-    if (on_polygons) list.normal.reserve(photons);
+    if (on_polygons) {
+        list.normal.reserve(photons);
+    } else {
+        list.cosine.reserve(photons);
+    }
 }
 
 void append(PhotonList& list, const PhotonList& more) {
@@ -39,12 +48,13 @@ void append(PhotonList& list, const PhotonList& more) {
     append(list.z, more.z);
     append(list.direction, more.direction);
     append(list.normal, more.normal);
+    append(list.cosine, more.cosine);
     append(list.power, more.power);
     append(list.type, more.type);
 }
 
 size_t bytes(const PhotonList& list) {
-    const size_t floats = list.x.capacity() + list.y.capacity() + list.z.capacity();
+    const size_t floats = list.x.capacity() + list.y.capacity() + list.z.capacity() + list.cosine.capacity();
     const size_t vectors = list.direction.capacity() + list.normal.capacity() + list.power.capacity();
     return floats * sizeof(float) + vectors * sizeof(Vec3) + list.type.capacity();
 }
