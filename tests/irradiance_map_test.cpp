@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>
 
+#include <chrono>
+
 #include "accel/build.h"
 #include "core/head.h"
 #include "core/rng.h"
@@ -128,6 +130,20 @@ TEST_CASE("few photons, many at one point and radii of any size give finite ligh
             CHECK((photons.size() > 0 || irradiance(map, {0.5f, 0.5f, 0}, {0, 0, 1}) == Rgb(0)));
         }
     }
+}
+
+TEST_CASE("a heap of photons on a point takes no longer than as many spread out") {
+    // 200,000 of them about each of 50,000 places would be 10^10 to add up: half a minute.
+    const TriangleMesh mesh = unit_square();
+    PhotonList heap;
+    for (uint64_t i = 0; i < 200'000; ++i) {
+        const float u = random(1, 2 * i), v = random(1, 2 * i + 1);
+        add(heap, {Vec3(0.5f + 1e-6f * u, 0.5f + 1e-6f * v, 0), {0, 0, -1}, Rgb(1), PathType::type1}, {0, 0, 1});
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const IrradianceMap map = map_of(heap, mesh);
+    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 5);
+    for (const Rgb& light : map.irradiance) REQUIRE((is_finite(light) && min_component(light) >= 0));
 }
 
 TEST_CASE("fewer photons than an estimate takes still bring their energy") {

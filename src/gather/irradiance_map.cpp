@@ -5,9 +5,13 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <numeric>
+
+#include "core/light_sample.h"
 #include "core/mesh_points.h"
 #include "core/rng.h"
 #include "gather/disc_sum.h"
+#include "gather/merge_photons.h"
 
 namespace tress {
 namespace {
@@ -121,7 +125,10 @@ float power_of_all(const PhotonList& list, const Roles& roles) {
 IrradianceMap make_irradiance_map(const PhotonList& list, const TriangleMesh& mesh, const KdTree& mesh_tree,
                                   const Options& options) {
     const Roles roles = draw_roles(list.size());
-    const PolygonPhotons sources = make_polygon_photons(list, roles.sources, options.photons);
+    const PhotonList merged = merge_photons(list, roles.sources);
+    std::vector<uint32_t> all(merged.size());
+    std::iota(all.begin(), all.end(), 0u);
+    const PolygonPhotons sources = make_polygon_photons(merged, all, options.photons);
     const MeshPoints pilots = photon_places(list, roles.places);
     const PointBalls discs = make_point_balls(sources.tree, disc_radii(sources, pilots));
     const MeshPoints even = even_places(mesh, size_t(kEvenShare * float(list.size())), sources);
@@ -139,7 +146,7 @@ IrradianceMap make_irradiance_map(const PhotonList& list, const TriangleMesh& me
             points.push_back(surface_point(map.tree.position(i), map.normal[i]));
         const std::span<Rgb> irradiance = std::span(map.irradiance).subspan(range.begin(), range.size());
         sums.local()(sources, discs, mesh_tree, mesh, options.isa, points, irradiance);
-        for (Rgb& light : irradiance) light *= strength;
+        for (Rgb& light : irradiance) light = min(strength * light, Rgb(kLargestIrradiance));
     };
     tbb::parallel_for(tbb::blocked_range<size_t>(0, map.tree.size(), kBatch), fill, tbb::simple_partitioner());
     return map;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The irradiance of polygons, worked out beforehand at one in four of the photons on them (Christensen 1999, "Faster
-// photon map global illumination") and read at the nearest of those. Which photons become places to read from is drawn,
-// and the others alone, 4/3 as strong, make the irradiance there: were the same photons both, then places where they
-// happen to be dense would say more and be read from less often, and with 50 to an estimate 3.5 % of the light be lost.
+// The irradiance of polygons, worked out beforehand at places of which the nearest is read (Christensen 1999, "Faster
+// photon map global illumination"): at some of the photons, drawn, and at points spread evenly over the polygons. Only
+// the other photons make the irradiance there: were the same ones both, then places where they happen to be dense would
+// say more and be read from less often, and with 50 to an estimate 3.5 % of the light be lost.
 #pragma once
 
 #include "core/mesh.h"

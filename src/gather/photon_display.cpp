@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+#include "core/light_sample.h"
+
 namespace tress {
 
 void PhotonDisplay::show_on_fiber(const Scene& scene, const HairPhotons& photons, const ShadingPoint& point,
@@ -16,7 +18,7 @@ void PhotonDisplay::show_on_fiber(const Scene& scene, const HairPhotons& photons
     const float forward = point.lobes == FiberLobes::all ? 1 : 0;
     for (size_t i = 0; i < wi_.size(); ++i)
         light[photons.type[beams[i].place]] +=
-            (scattered_[i].reflected + forward * scattered_[i].forward) * beams[i].light;
+            min((scattered_[i].reflected + forward * scattered_[i].forward) * beams[i].light, Rgb(kLargestIrradiance));
 }
 
 void PhotonDisplay::show_on_polygons(const Scene& scene, const PreparedScene& prepared, const Options& options,
@@ -36,7 +38,8 @@ void PhotonDisplay::show_on_polygons(const Scene& scene, const PreparedScene& pr
     for (size_t p = 0; p < on_polygon_.size(); ++p) {
         const uint32_t i = on_polygon_[p];
         for (size_t type = 0; type < kPathTypes; ++type)
-            light[i][type] += points[i].color * (kInvPi / share_[p]) * irradiance_[p][type];
+            light[i][type] +=
+                min(points[i].color * (kInvPi / share_[p]) * irradiance_[p][type], Rgb(kLargestIrradiance));
     }
 }
 
