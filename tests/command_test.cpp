@@ -109,6 +109,43 @@ TEST_CASE("--fiber changes the hair's colour, and contradictions are said in one
         CHECK(run_tress({"plan", scene, "--set", bad}).exit_code == 2);
 }
 
+TEST_CASE("show sets layers and sums of layers side by side") {
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene), exr = folder.file("a.exr");
+    const std::string png = folder.file("s.png");
+    REQUIRE(run_tress({"render", scene, "-o", exr, "--quiet"}).exit_code == 0);
+    const CommandResult r =
+        run_tress({"show", exr, "-o", png, "--panel", "type1", "--panel", "type1+type2+type3", "--panel", "depth"});
+    CAPTURE(r.error);
+    REQUIRE(r.exit_code == 0);
+    CHECK(uint8_t(read_bytes(png)[19]) == 3 * 32);  // low byte of the width
+    REQUIRE(run_tress({"show", exr, "-o", png}).exit_code == 0);
+    CHECK(read_bytes(png) == read_bytes(folder.file("a.png")));
+    check_refused(run_tress({"show", exr, "-o", png, "--panel", "type9"}));
+    check_refused(run_tress({"show", exr, "-o", folder.file("none/s.png")}));
+    check_refused(run_tress({"show", exr, "-o", png, "--exposure", "nan"}));
+}
+
+TEST_CASE("a lamp that polygons enclose leaves hair dark, and it is said") {
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), R"({
+  "camera": {"from": [0, 0, 60], "to": [0, 0, 0], "fov": 30, "size": [16, 16]},
+  "hair": [{"groom": "wavy", "segments": 2000}],
+  "meshes": [{"sphere": {"center": [20, 0, 20], "radius": 3}}],
+  "lights": [{"type": "point", "position": [20, 0, 20], "intensity": [2000, 2000, 2000]},
+             {"type": "point", "position": [0, 0, 0], "intensity": [2000, 2000, 2000]}],
+  "options": {"spp": 2, "type4": "photons", "type5": "photons", "photons": {"count": 2000}}
+})");
+    const CommandResult r = run_tress({"render", scene, "-o", folder.file("a.exr"), "--stats", folder.file("s.json")});
+    CHECK(r.exit_code == 0);
+    CHECK(r.error.find("light 0 (point): none of its") != std::string::npos);
+    CHECK(r.error.find("light 1 (point)") == std::string::npos);
+    const LayeredImage picture = read_exr(folder.file("a.exr"));
+    for (const Layer& layer : picture.layers)
+        for (const float v : layer.data) CHECK(std::isfinite(v));
+    CHECK(Json::parse(read_bytes(folder.file("s.json")))["photons"]["lights"][0]["met_hair"] == 0);
+}
+
 TEST_CASE("figures and plan name the same stages") {
     const Folder folder;
     const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene);

@@ -10,6 +10,7 @@
 #include "tools/info.h"
 #include "tools/plan.h"
 #include "tools/render.h"
+#include "tools/show.h"
 #include "tools/trace.h"
 
 namespace {
@@ -31,6 +32,7 @@ int run(int argc, char** argv) {
     tress::add_info_command(app);
     tress::add_groom_command(app);
     tress::add_compare_command(app);
+    tress::add_show_command(app);
     tress::add_trace_command(app);
     try {
         app.parse(argc, argv);

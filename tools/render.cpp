@@ -10,6 +10,7 @@
 
 #include "accel/queries.h"
 #include "core/error.h"
+#include "core/layer_image.h"
 #include "core/tone_map.h"
 #include "gather/render.h"
 #include "io/exr_file.h"
@@ -59,14 +60,6 @@ void render_passes(RenderState& state, const Scene& scene, const PreparedScene& 
     char note[80];
     std::snprintf(note, sizeof note, "%d spp in %.2f s", state.samples, state.seconds);
     progress.finish(note);
-}
-
-Image display_image(const LayeredImage& picture, float exposure) {
-    Image image = make_image(picture.width, picture.height);
-    const std::vector<float>& rgba = picture.layers.front().data;
-    for (size_t i = 0; i < image.pixel.size(); ++i)
-        image.pixel[i] = tone_map({rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]}, exposure);
-    return image;
 }
 
 void add_metadata(LayeredImage& picture, const RenderStats& stats, Options options) {
@@ -133,7 +126,7 @@ void run(const RenderArguments& arguments) {
     LayeredImage picture = develop(state.film);
     add_metadata(picture, stats, options);
     write_exr(arguments.output, picture);
-    write_png(png_path(arguments.output), display_image(picture, options.film.exposure));
+    write_png(png_path(arguments.output), tone_map(layer_image(picture, "", arguments.output), options.film.exposure));
     stats.total_seconds = seconds_since(start);
     if (!arguments.stats.empty()) write_text_file(arguments.stats, to_json(stats, options).dump(2) + "\n");
 }
