@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.h"
+#include "core/light_reach.h"
 #include "core/light_sample.h"
 #include "core/sampler.h"
 #include "tests/photon_support.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include "core/error.h"
+#include "core/light_reach.h"
 #include "tests/small_scenes.h"
 
 using namespace tress;
@@ -73,4 +75,63 @@ TEST_CASE("the sky is kept where nothing is left to hit: the camera sees it") {
     const Plan plan = make_plan(scene, {});
     CHECK(plan.environments.size() == 1);
     CHECK(plan.lamps.empty());
+}
+
+namespace {
+
+/// Hair, and a square where asked, under these lights.
+Plan hair_plan(const std::vector<Light>& lights, bool polygons, const Options& options = {}) {
+    const PlacedHair hair = upright_fibers({{0, 0}}, 1, 0.1f, white_fiber());
+    return make_plan(assemble({hair}, std::vector<PlacedMesh>(polygons ? 1 : 0, square(1, Rgb(1))), lights, {}),
+                     options);
+}
+
+std::string why_left_out(const Plan& plan, const std::string& name) {
+    const PlanItem* item = find(plan.left_out, name);
+    return item ? item->why : "built";
+}
+
+}  // namespace
+
+TEST_CASE("no polygons and no environment: no photon map and no type 2") {
+    const Plan plan = hair_plan({PointLight{}}, false);
+    CHECK(why_left_out(plan, stage::kPhotonMap) == "no polygons");
+    CHECK(why_left_out(plan, "type 2") == "no polygons and no environment");
+    CHECK_FALSE(plan.photons());
+    CHECK_FALSE(plan.types[1]);
+}
+
+TEST_CASE("an environment alone: type 2 without photons") {
+    const Plan plan = hair_plan({EnvironmentLight{}}, false);
+    CHECK(plan.sky);
+    CHECK_FALSE(plan.gather_rays());
+    CHECK_FALSE(plan.photons());
+    CHECK(why_left_out(plan, "type 1") == "no lamp shines into the picture");
+}
+
+TEST_CASE("photons are traced for polygons, and for those that are shown, or not at all") {
+    Options options;
+    CHECK(hair_plan({PointLight{}}, true).polygon_gather);
+    options.type2 = GatherMethod::off;
+    CHECK_FALSE(hair_plan({PointLight{}}, true, options).photons());
+    options.type4 = ScatteredMethod::photons;
+    const Plan shown = hair_plan({PointLight{}}, true, options);
+    CHECK(shown.photons());
+    CHECK_FALSE(shown.polygon_gather);
+    options.photons.count = 0;
+    const Plan none = hair_plan({PointLight{}}, true, options);
+    CHECK_FALSE(none.photons());
+    CHECK(why_left_out(none, "type 4") == "photons.count is 0");
+    options.type2 = GatherMethod::ray;
+    CHECK(why_left_out(hair_plan({PointLight{}}, true, options), "type 2") == "photons.count is 0");
+}
+
+TEST_CASE("full scattering sees through no fiber, and is for paths alone") {
+    Options options;
+    options.scattering = ScatteringModel::full;
+    CHECK_THROWS_AS(hair_plan({PointLight{}}, true, options), InputError);
+    options.type1 = options.type2 = options.type3 = GatherMethod::path;
+    const Plan plan = hair_plan({PointLight{}}, true, options);
+    CHECK(any(plan.paths));
+    CHECK_FALSE(plan.attenuation);
 }

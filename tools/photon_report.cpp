@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/photon_report.h"
 
-#include "core/plan.h"
+#include "core/light_reach.h"
 
 namespace tress {
 namespace {

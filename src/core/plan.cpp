@@ -1,68 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/plan.h"
 
-#include <glm/trigonometric.hpp>
-
 #include "core/error.h"
+#include "core/light_reach.h"
 
 namespace tress {
 namespace {
 
 std::string counted(size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
-
-struct EmissionOf {
-    Rgb operator()(const PointLight& light) const { return light.intensity; }
-    Rgb operator()(const SpotLight& light) const { return light.intensity; }
-    Rgb operator()(const DistantLight& light) const { return light.irradiance; }
-    Rgb operator()(const QuadLight& light) const { return light.radiance; }
-    Rgb operator()(const EnvironmentLight& light) const {
-        Rgb brightest = light.image.empty() ? Rgb(1) : Rgb(0);
-        for (const Rgb& texel : light.image.pixel) brightest = max(brightest, texel);
-        return brightest * light.radiance;
-    }
-};
-
-struct ShapeUnseen {
-    const Bounds& bounds;
-
-    std::string operator()(const PointLight&) const { return ""; }
-    std::string operator()(const DistantLight& light) const {
-        return dot(light.direction, light.direction) > 0 ? "" : "it has no direction";
-    }
-    std::string operator()(const EnvironmentLight&) const { return ""; }
-
-    /// Cone against the sphere about the scene's box: outside when the angle to the centre exceeds the cone's by more
-    /// than the angle that the sphere spans.
-    std::string operator()(const SpotLight& light) const {
-        const DVec3 to_scene = DVec3(bounds.center()) - light.position, axis = light.to - light.position;
-        const double radius = 0.5 * length(DVec3(bounds.extent())), d = length(to_scene);
-        if (length(axis) == 0 || d <= radius) return "";
-        const double angle = std::acos(glm::clamp(dot(to_scene, axis) / (d * length(axis)), -1.0, 1.0));
-        return angle > 0.5 * glm::radians(light.angle) + std::asin(radius / d) ? "its cone misses everything" : "";
-    }
-    std::string operator()(const QuadLight& light) const {
-        const DVec3 normal = cross(light.edge[0], light.edge[1]);
-        if (dot(normal, normal) == 0) return "it has no area";
-        const DVec3 center(bounds.center()), half = 0.5 * DVec3(bounds.extent());
-        const double farthest = dot(center - light.corner, normal) + dot(half, abs(normal));
-        return farthest <= 0 ? "everything is behind its shining side" : "";
-    }
-};
-
-}  // namespace
-
-const char* light_name(const Light& light) {
-    constexpr const char* names[] = {"point", "spot", "distant", "quad", "environment"};
-    static_assert(std::size(names) == std::variant_size_v<Light>);
-    return names[light.index()];
-}
-
-std::string why_unseen(const Light& light, const Bounds& bounds) {
-    if (max_component(std::visit(EmissionOf{}, light)) <= 0) return "it is black";
-    return std::visit(ShapeUnseen{bounds}, light);
-}
-
-namespace {
 
 /// What the scene holds and the options ask for, in the words of the rules below.
 struct Wanted {
@@ -94,11 +39,12 @@ Wanted wanted_types(const Options& o) {
     return w;
 }
 
-std::string list_types(const TypeSet& types) {
+/// "type 3" or "types 2, 3".
+std::string type_list(const TypeSet& types) {
     std::string text;
-    for (int t = 0; t < kPathTypes; ++t)
+    for (size_t t = 0; t < types.size(); ++t)
         if (types[t]) text += (text.empty() ? "" : ", ") + std::to_string(t + 1);
-    return text;
+    return (text.size() > 1 ? "types " : "type ") + text;
 }
 
 /// Fills a plan step by step; each step says why.
@@ -169,7 +115,11 @@ private:
         const bool scattered = type != PathType::type1 && type != PathType::type2;
         if (scattered && !plan_.hair_tree) return "no hair to scatter light on its way";
         const bool from_lamps = type == PathType::type1 || type == PathType::type3 || type == PathType::type4;
-        if (from_lamps) return plan_.lamps.empty() ? "no lamp shines into the picture" : "";
+        if (from_lamps && plan_.lamps.empty()) return "no lamp shines into the picture";
+        if (wanted_.by_photons[index_of(type)] && options_.photons.count == 0) return kNoPhotons;
+        if (from_lamps) return "";
+        const bool map_alone = type == PathType::type2 && wanted_.by_ray[index_of(type)] && plan_.environments.empty();
+        if (map_alone && plan_.mesh_tree && has_light() && options_.photons.count == 0) return kNoPhotons;
         if (!plan_.environments.empty() || (plan_.mesh_tree && has_light())) return "";
         return plan_.mesh_tree ? "no light shines into the picture" : "no polygons and no environment";
     }
@@ -195,23 +145,24 @@ private:
                plan_.attenuation ? "every strand has its fiber's colour" : "no table asks for them");
     }
 
+    /// Empty: type 2 reads it.
+    std::string why_no_photon_map() const {
+        if (!wanted_.by_ray[index_of(PathType::type2)]) return "no type reads it";
+        if (!plan_.mesh_tree) return "no polygons";
+        if (!has_light()) return "no light shines into the picture";
+        return options_.photons.count == 0 ? kNoPhotons : "";
+    }
+
     void list_photons() {
-        const bool polygons = by(wanted_.by_ray, PathType::type2) && plan_.mesh_tree;
-        const bool some = options_.photons.count > 0;
         for (const PathType type : {PathType::type4, PathType::type5})
-            plan_.photon_display[index_of(type)] = some && by(wanted_.by_photons, type);
-        plan_.polygon_gather = some && polygons;
-        const bool shown = any(plan_.photon_display);
-        const std::string none = some ? "no type asks for them" : "photons.count is 0";
+            plan_.photon_display[size_t(index_of(type))] = by(wanted_.by_photons, type);
+        const std::string why_no_map = why_no_photon_map();
+        plan_.polygon_gather = why_no_map.empty();
         decide(stage::kPhotons, plan_.photons(), counted(size_t(options_.photons.count), "photon") + " from all lights",
-               none);
-        decide(stage::kPhotonMap, plan_.polygon_gather, "type 2 reads the light of polygons from it",
-               !by(wanted_.by_ray, PathType::type2) ? "no type reads it"
-               : !plan_.mesh_tree                   ? "no polygons: type 2 is the environment's"
-                                                    : none);
-        decide(stage::kShownPhotons, shown,
-               "photons for types " + list_types(plan_.photon_display) + " at the eye's points",
-               some ? "no type shows photons" : none);
+               options_.photons.count == 0 ? kNoPhotons : "no type asks for them");
+        decide(stage::kPhotonMap, plan_.polygon_gather, "type 2 reads the light of polygons from it", why_no_map);
+        decide(stage::kShownPhotons, any(plan_.photon_display),
+               "photons for " + type_list(plan_.photon_display) + " at the eye's points", "no type shows photons");
     }
 
     void list_loop() {
@@ -230,17 +181,19 @@ private:
             types[index_of(PathType::type2)] = plan_.polygon_gather;
             types[index_of(PathType::type3)] = plan_.crossing_gather;
             build(stage::kGatherRays, counted(size_t(options_.gather.rays), "ray") +
-                                          " a sample, drawn by the scattering, for types " + list_types(types));
+                                          " a sample, drawn by the scattering, for " + type_list(types));
         }
         if (plan_.polygon_gather)
             build(stage::kPolygonGather, "the photon map at the end of gather rays, through the hair");
         if (plan_.crossing_gather) build(stage::kCrossingGather, "lamps, at the fibers that gather rays cross");
         if (any(plan_.photon_display))
-            build(stage::kPhotonDisplay, "types " + list_types(plan_.photon_display) + ", by photons near by");
-        if (any(plan_.paths)) build(stage::kPaths, "types " + list_types(plan_.paths) + ", by path tracing");
+            build(stage::kPhotonDisplay, type_list(plan_.photon_display) + ", by photons near by");
+        if (any(plan_.paths)) build(stage::kPaths, type_list(plan_.paths) + ", by path tracing");
         for (int t = 0; t < kPathTypes; ++t)
             if (!plan_.types[t]) leave("type " + std::to_string(t + 1), why_dark(PathType(t)));
     }
+
+    static constexpr const char* kNoPhotons = "photons.count is 0";
 
     const Scene& scene_;
     const Options& options_;

@@ -61,10 +61,4 @@ inline constexpr const char* kPaths = "paths";
 /// Throws InputError where options contradict each other.
 Plan make_plan(const Scene& scene, const Options& options);
 
-/// Why no light of this kind and place can reach the scene; empty: it may.
-std::string why_unseen(const Light& light, const Bounds& bounds);
-
-/// "quad", "environment" …
-const char* light_name(const Light& light);
-
 }  // namespace tress
