@@ -21,7 +21,7 @@ const char* const kSmallScene = R"({
   "hair": [{"groom": "wavy", "segments": 2000}],
   "meshes": [{"sphere": {"center": [0, 0, 0], "radius": 6}, "albedo": [0.5, 0.4, 0.3]}],
   "lights": [{"type": "point", "position": [20, 30, 40], "intensity": [2000, 2000, 2000]}],
-  "options": {"spp": 2}
+  "options": {"spp": 2, "photons": {"count": 5000}}
 })";
 
 /// One line on stderr, exit code 2, under a second of work and 100 MB.

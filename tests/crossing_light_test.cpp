@@ -106,7 +106,7 @@ struct Estimate {
 /// Of many copies of a point, each with numbers of its own.
 Estimate estimate(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& x,
                   std::span<const uint32_t> lamps, int crossings, size_t count) {
-    Options options;
+    Options options = small_options();
     options.gather.rays = 1024;
     options.gather.crossings = crossings;
     const std::vector<ShadingPoint> points(count, x);
@@ -169,12 +169,12 @@ TEST_CASE("without lamps, or without other hair, there is no Type 3") {
     CHECK(estimate(lone, lone_prepared, y, lamp, 1, 100).mean == DVec3(0));
 
     const Scene bald = assemble({}, {square(1, Rgb(0.5f))}, {PointLight{{1, 1, 3}, Rgb(9)}}, camera_on_z(20, 15, 8));
-    CHECK(render(bald, {}).layer("type3") == nullptr);
+    CHECK(render(bald, small_options()).layer("type3") == nullptr);
 }
 
 TEST_CASE("Type 3 is the same bit for bit for any number of threads and on every instruction set") {
     for (const int crossings : {2, 0}) {
-        Options options;
+        Options options = small_options();
         options.type1 = options.type2 = GatherMethod::off;
         options.gather.rays = 2;
         options.gather.crossings = crossings;
@@ -195,7 +195,7 @@ TEST_CASE("Type 3 is the same bit for bit for any number of threads and on every
 }
 
 TEST_CASE("lamps of absurd strength leave Type 3 finite") {
-    Options options;
+    Options options = small_options();
     options.spp = 2;
     for (const Light& light : {Light(PointLight{{0.3, 0, 0.5}, Rgb(1e30f)}), Light(PointLight{{0.6, 0, 0.7}, Rgb(1)}),
                                Light(QuadLight{{-1, -1, 2}, {{0, 2, 0}, {2, 0, 0}}, Rgb(1e30f)})}) {

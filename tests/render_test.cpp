@@ -36,7 +36,7 @@ Scene busy_scene(int size) {
 }  // namespace
 
 TEST_CASE("a lone white fiber under a white sky cannot be seen: its white furnace is 1") {
-    Options options;
+    Options options = small_options();
     options.spp = 1024;
     const Scene scene =
         assemble({upright_fibers({{0, 0}}, 10, 1, white_fiber())}, {}, {white_sky()}, camera_on_z(30, 8, 16));
@@ -57,7 +57,7 @@ TEST_CASE("a lone white fiber under a white sky cannot be seen: its white furnac
 }
 
 TEST_CASE("an open square under a uniform sky sends back albedo times the sky") {
-    Options options;
+    Options options = small_options();
     options.spp = 64;
     const Scene scene = assemble({}, {square(1, Rgb(0.6f, 0.4f, 0.2f))}, {white_sky()}, camera_on_z(10, 5, 8));
     const Rendered r = render(scene, options);
@@ -73,7 +73,7 @@ TEST_CASE("an open square under a uniform sky sends back albedo times the sky") 
 }
 
 TEST_CASE("a point light on a square gives albedo / pi cos / d^2") {
-    Options options;
+    Options options = small_options();
     options.spp = 1;
     options.film.filter_radius = 0.5f;
     const Scene scene =
@@ -84,7 +84,7 @@ TEST_CASE("a point light on a square gives albedo / pi cos / d^2") {
 
 TEST_CASE("light through a fiber falls off by its attenuation, and only behind it") {
     // A fiber of radius 0.5 between a square and a far lamp straight ahead: the shadow is one fiber wide.
-    Options options;
+    Options options = small_options();
     options.spp = 4096;
     options.film.filter_radius = 0.5f;
     FiberParameters parameters;
@@ -107,7 +107,7 @@ TEST_CASE("light through a fiber falls off by its attenuation, and only behind i
 }
 
 TEST_CASE("the picture is the same bit for bit for any number of threads and any division into passes") {
-    Options options;
+    Options options = small_options();
     options.spp = 4;
     const Scene scene = busy_scene(70);
     const Rendered one_pass = render(scene, options);
@@ -128,7 +128,7 @@ TEST_CASE("the picture is the same bit for bit for any number of threads and any
 }
 
 TEST_CASE("every instruction set gives the same picture bit for bit") {
-    Options options;
+    Options options = small_options();
     options.spp = 2;
     const Scene scene = busy_scene(48);
     const Rendered best = render(scene, options);
@@ -142,7 +142,7 @@ TEST_CASE("every instruction set gives the same picture bit for bit") {
 }
 
 TEST_CASE("beauty is the sum of the layers where something is hit") {
-    Options options;
+    Options options = small_options();
     options.spp = 4;
     const Rendered r = render(busy_scene(32), options);
     const Layer &beauty = *r.layer(""), &type1 = *r.layer("type1"), &type2 = *r.layer("type2"),
@@ -158,7 +158,7 @@ TEST_CASE("beauty is the sum of the layers where something is hit") {
 }
 
 TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
-    Options options;
+    Options options = small_options();
     options.spp = 1;
     const auto names = [](const std::vector<StageCost>& costs) {
         std::vector<std::string> list;
@@ -199,7 +199,7 @@ TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
 }
 
 TEST_CASE("lights of absurd strength or nearness stay finite") {
-    Options options;
+    Options options = small_options();
     options.spp = 2;
     const Camera camera = camera_on_z(10, 30, 8);
     const PlacedHair hair = upright_fibers({{0, 1}, {0.2f, 1}}, 1, 0.05f, white_fiber());
@@ -212,7 +212,7 @@ TEST_CASE("lights of absurd strength or nearness stay finite") {
 }
 
 TEST_CASE("a bad segment is dropped and the rest of the groom renders as without it") {
-    Options options;
+    Options options = small_options();
     options.spp = 4;
     const Camera camera = camera_on_z(10, 30, 32);
     PlacedHair good = upright_fibers({{-0.5f, 0}, {0.5f, 0}}, 1, 0.1f, white_fiber());
@@ -228,7 +228,7 @@ TEST_CASE("a bad segment is dropped and the rest of the groom renders as without
 }
 
 TEST_CASE("a lamp in the plane of a ceiling lights as one just below it") {
-    Options options;
+    Options options = small_options();
     options.spp = 16;
     const auto mean_light = [&](double gap) {
         PlacedMesh ceiling = square(20, Rgb(0.5f)), floor = square(5, Rgb(0.5f));
@@ -246,7 +246,7 @@ TEST_CASE("a lamp in the plane of a ceiling lights as one just below it") {
 }
 
 TEST_CASE("a grazing lamp does not make a large floor shadow itself") {
-    Options options;
+    Options options = small_options();
     options.spp = 1;
     for (const float half : {10.0f, 1e3f, 1e5f}) {
         PlacedMesh floor = square(half, Rgb(1));
@@ -274,7 +274,7 @@ TEST_CASE("the albedo layer shows the segment that is hit, lit or not") {
     hair.fiber = white_fiber();
     Camera camera = camera_on_z(10, 0.1, 1);
     camera.from.y = camera.to.y = 1;
-    Options options;
+    Options options = small_options();
     options.spp = 1;
     for (const std::vector<Light>& lights : {std::vector<Light>{}, std::vector<Light>{EnvironmentLight{}}}) {
         const Rendered r = render(assemble({hair}, {}, lights, camera), options);
@@ -283,7 +283,7 @@ TEST_CASE("the albedo layer shows the segment that is hit, lit or not") {
 }
 
 TEST_CASE("scenes a billion times larger or smaller render without NaN, and alike") {
-    Options options;
+    Options options = small_options();
     options.spp = 4;
     std::vector<double> means;
     for (const double scale : {1.0, 0x1p30, 0x1p-30}) {
@@ -319,7 +319,7 @@ TEST_CASE("light of a sky with a small sun is its integral over the sphere, on a
         const std::vector<PlacedHair> hair(on_fiber ? 1 : 0, upright_fibers({{0, 0}}, 1, 1, make_fiber(brown)));
         const std::vector<PlacedMesh> mesh(on_fiber ? 0 : 1, square(1, Rgb(0.5f)));
         const Scene scene = assemble(hair, mesh, {sky}, camera);
-        Options options;
+        Options options = small_options();
         options.spp = 8192;
         const Rendered r = render(scene, options);
 

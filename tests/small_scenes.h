@@ -43,6 +43,13 @@ inline Camera camera_on_z(double distance, double fov, int size) {
     return camera;
 }
 
+/// Defaults with as many photons as small scenes need.
+inline Options small_options() {
+    Options options;
+    options.photons.count = 5000;
+    return options;
+}
+
 struct Rendered {
     Plan plan;
     PreparedScene prepared;
