@@ -1,6 +1,6 @@
-# tress_module(NAME dependency...): the static library tress_NAME, alias tress::NAME, of all sources in this folder.
+# tress_module(NAME dependency...): the static library tress_NAME, alias tress::NAME, of all sources below this folder.
 function(tress_module name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(tress_${name} STATIC ${sources})
   add_library(tress::${name} ALIAS tress_${name})
   set_target_properties(tress_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)

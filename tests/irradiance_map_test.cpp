@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gather/irradiance_map.h"
+#include "gather/photons/irradiance_map.h"
 
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>

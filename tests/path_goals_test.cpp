@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gather/path_goals.h"
+#include "gather/paths/path_goals.h"
 
 #include <doctest/doctest.h>
 

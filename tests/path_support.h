@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/rng.h"
-#include "gather/path_tracer.h"
+#include "gather/paths/path_tracer.h"
 #include "tests/plain_path_tracer.h"
 #include "tests/small_scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gather/path_tracer.h"
+#include "gather/paths/path_tracer.h"
 
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gather/photon_display.h"
+#include "gather/photons/photon_display.h"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "gather/photon_tracing.h"
+#include "gather/photons/photon_tracing.h"
 #include "tests/small_scenes.h"
 
 namespace tress::test {

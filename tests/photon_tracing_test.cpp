@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What photons bring to polygons.
-#include "gather/photon_tracing.h"
+#include "gather/photons/photon_tracing.h"
 
 #include <doctest/doctest.h>
 

@@ -7,7 +7,7 @@
 #include "core/mesh.h"
 #include "core/rng.h"
 #include "core/sampling.h"
-#include "gather/photon_list.h"
+#include "gather/photons/photon_list.h"
 
 namespace tress::test {
 

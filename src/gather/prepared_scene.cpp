@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "accel/build.h"
-#include "gather/photon_tracing.h"
+#include "gather/photons/photon_tracing.h"
 
 namespace tress {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/plan.h"
 #include "core/scene.h"
 #include "core/stage_cost.h"
-#include "gather/photon_maps.h"
+#include "gather/photons/photon_maps.h"
 
 namespace tress {
 

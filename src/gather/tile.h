@@ -8,8 +8,8 @@
 #include "core/film.h"
 #include "gather/crossing_light.h"
 #include "gather/direct_light.h"
-#include "gather/path_tracer.h"
-#include "gather/photon_display.h"
+#include "gather/paths/path_tracer.h"
+#include "gather/photons/photon_display.h"
 #include "gather/polygon_light.h"
 #include "gather/stage_clock.h"
 
