@@ -129,7 +129,7 @@ TEST_CASE("photons on a square show as albedo / pi times their irradiance, at it
     std::vector<ShadingPoint> points(2000);
     for (uint64_t i = 0; i < points.size(); ++i) {
         const float u = random(1, i), v = 0.03f * random(2, i);
-        points[i].position = {u, v, 0};
+        points[i].position = points[i].on_surface = {u, v, 0};
         points[i].geometric_normal = {0, 0, 1};
         points[i].color = Rgb(0.5f, 0.25f, 0);
     }

@@ -94,6 +94,15 @@ TEST_CASE("lights share the photons by power, so that all are equal, and each br
     for (size_t i = 0; i < stored; ++i) CHECK(dot(photons.on_polygons.normal[i], photons.on_polygons.direction[i]) < 0);
 }
 
+TEST_CASE("photons lie in the plane of a polygon, however large it is") {
+    // Rays start a hundredth above this square, by its corners' rounding; discs of photons may be smaller than that.
+    const SpotLight spot{{3, 4, 2}, {3, 4, 0}, 30, Rgb(1)};
+    const PhotonScene s = photon_scene({}, {square(1e4f, Rgb(0.5f))}, {spot}, photon_options(1000));
+    const TracedPhotons photons = s.trace();
+    REQUIRE(photons.on_polygons.size() > 900);
+    for (const float z : photons.on_polygons.z) REQUIRE(z == 0);
+}
+
 TEST_CASE("light in a closed box goes round as the geometric series of its albedo, channel by channel") {
     const Rgb albedo(0.8f, 0.5f, 0.2f);
     const PhotonScene s =

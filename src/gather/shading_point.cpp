@@ -6,15 +6,14 @@
 namespace tress {
 namespace {
 
-/// A point of a triangle, worked out in double and lifted off it by what rounding may sink it: its own, and that of the
-/// corners as a ray that starts here sees them.
-Vec3 lifted_point(const std::array<Vec3, 3>& corner, float u, float v, const DVec3& normal) {
+double largest_component(const DVec3& x) { return glm::max(glm::max(std::abs(x.x), std::abs(x.y)), std::abs(x.z)); }
+
+/// How far a point of a triangle is lifted off it: by what rounding may sink it, its own and that of the corners as a
+/// ray that starts here sees them.
+double lift_of(const DVec3& p, const DVec3& a, const DVec3& b, const DVec3& c) {
     constexpr double epsilon = std::numeric_limits<float>::epsilon(), point_ulps = 32, corner_ulps = 8;
-    const DVec3 a(corner[0]), b(corner[1]), c(corner[2]);
-    const DVec3 p = a + double(u) * (b - a) + double(v) * (c - a);
-    const auto largest = [](const DVec3& x) { return glm::max(glm::max(std::abs(x.x), std::abs(x.y)), std::abs(x.z)); };
-    const double of_corners = glm::max(glm::max(largest(a), largest(b)), largest(c));
-    return Vec3(p + normal * (epsilon * (point_ulps * largest(p) + corner_ulps * of_corners)));
+    const double of_corners = glm::max(glm::max(largest_component(a), largest_component(b)), largest_component(c));
+    return epsilon * (point_ulps * largest_component(p) + corner_ulps * of_corners);
 }
 
 Vec3 shading_normal(const TriangleMesh& mesh, const Hit& hit, const Vec3& geometric) {
@@ -69,7 +68,9 @@ ShadingPoint polygon_point(const Scene& scene, const Vec3& direction, const Hit&
     if (dot(normal, Vec3(geometric)) < 0) normal = -normal;
 
     ShadingPoint point;
-    point.position = lifted_point(corner, hit.u, hit.h, geometric);
+    const DVec3 p = a + double(hit.u) * (b - a) + double(hit.h) * (c - a);
+    point.position = Vec3(p + lift_of(p, a, b, c) * geometric);
+    point.on_surface = Vec3(p);
     point.frame = frame_about(normal);
     point.wo = point.frame.to_local(-direction);
     point.geometric_normal = Vec3(geometric);

@@ -16,6 +16,7 @@ struct ShadingPoint {
     Frame frame;            // fiber: x along the tangent; polygon: z along the shading normal, on the eye's side
     Vec3 wo;                // to the eye, in the frame
     Vec3 geometric_normal;  // polygon: of the triangle, on the eye's side
+    Vec3 on_surface{0};     // polygon: in its plane, where `position` is lifted off it so that rays may start there
     Excluded excluded;      // what rays from here must not meet
     uint32_t fiber = kPolygon;
     uint32_t segment = kNone;            // fiber: the one hit

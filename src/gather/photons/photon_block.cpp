@@ -121,7 +121,7 @@ void PhotonBlock::arrive_at_polygon(Photon photon, size_t row) {
         polygon_point(c_.scene, direction, {polygon_t_[row], polygon_id_[row], polygon_u_[row], polygon_v_[row]});
     const PathType type = path_type(photon.source, photon.reflections);
     if (c_.plan.polygon_gather || c_.plan.photon_display[size_t(index_of(type))]) {
-        add(out_->on_polygons, {point.position, direction, photon.power, type}, point.geometric_normal);
+        add(out_->on_polygons, {point.on_surface, direction, photon.power, type}, point.geometric_normal);
         ++out_->statistics.lights[photon.light].on_polygons;
     }
     // From here on light is of Type 2 or 5 wherever it gets.

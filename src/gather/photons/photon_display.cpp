@@ -28,7 +28,7 @@ void PhotonDisplay::show_on_polygons(const Scene& scene, const PreparedScene& pr
     irradiance_.clear();
     radius_.clear();
     for (const uint32_t i : on_polygon_) {
-        surface_.push_back(surface_point(points[i].position, points[i].geometric_normal));
+        surface_.push_back(surface_point(points[i].on_surface, points[i].geometric_normal));
         disc_(photons, surface_.back());
         irradiance_.push_back(disc_.irradiance(photons));
         radius_.push_back(disc_.radius());
