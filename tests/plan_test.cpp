@@ -68,6 +68,19 @@ TEST_CASE("every stage is either built or left out, once") {
         }
 }
 
+TEST_CASE("without hair, lights of the scattered types alone are left out") {
+    Options scattered;
+    scattered.type1 = scattered.type2 = GatherMethod::off;
+    scattered.type4 = scattered.type5 = ScatteredMethod::path;
+    const Scene scene = assemble({}, {square(1, Rgb(1))}, {PointLight{{0, 0, 3}, Rgb(1)}, EnvironmentLight{}}, {});
+    const Plan plan = make_plan(scene, scattered);
+    CHECK(plan.lamps.empty());
+    CHECK(plan.environments.empty());
+    CHECK_FALSE(any(plan.types));
+    CHECK(find(plan.left_out, stage::kEnvironment));
+    CHECK(find(plan.left_out, "light 1 (environment)")->why.find("no hair for type 5") != std::string::npos);
+}
+
 TEST_CASE("the sky is kept where nothing is left to hit: the camera sees it") {
     PlacedHair thin = upright_fibers({{0, 0}}, 1, 0, white_fiber());
     const Scene scene = assemble({thin}, {}, {EnvironmentLight{}, PointLight{}}, {});

@@ -70,6 +70,11 @@ private:
         built ? build(name, why) : leave(name, why_not);
     }
     bool on(PathType type) const { return wanted_.on(type); }
+    /// On, and the hair that light of the type needs on its way is there.
+    bool may_be(PathType type) const {
+        const bool scattered = type != PathType::type1 && type != PathType::type2;
+        return on(type) && (plan_.hair_tree || !scattered);
+    }
     bool has_light() const { return !plan_.lamps.empty() || !plan_.environments.empty(); }
 
     void list_trees() {
@@ -86,11 +91,14 @@ private:
         if (scene_.bounds.empty() && !environment) return "there is nothing to light";  // a sky is seen all the same
         const std::string unseen = why_unseen(light, scene_.bounds);
         if (!unseen.empty()) return unseen;
-        const bool elsewhere = on(PathType::type2) || on(PathType::type5);
-        if (environment) return elsewhere ? "" : "types 2 and 5 are off";
+        const bool elsewhere = may_be(PathType::type2) || may_be(PathType::type5);
+        if (environment) {
+            if (elsewhere) return "";
+            return on(PathType::type5) ? "type 2 is off, and there is no hair for type 5" : "types 2 and 5 are off";
+        }
         const bool from_polygons = elsewhere && plan_.mesh_tree;
-        if (on(PathType::type1) || on(PathType::type3) || on(PathType::type4) || from_polygons) return "";
-        return "no type that is on takes light from lamps";
+        if (may_be(PathType::type1) || may_be(PathType::type3) || may_be(PathType::type4) || from_polygons) return "";
+        return "no type that is on takes light from lamps here";
     }
 
     void list_lights() {
@@ -112,8 +120,7 @@ private:
     std::string why_dark(PathType type) const {
         if (!on(type)) return "off";
         if (!plan_.hair_tree && !plan_.mesh_tree) return "there is nothing to light";
-        const bool scattered = type != PathType::type1 && type != PathType::type2;
-        if (scattered && !plan_.hair_tree) return "no hair to scatter light on its way";
+        if (!may_be(type)) return "no hair to scatter light on its way";
         const bool from_lamps = type == PathType::type1 || type == PathType::type3 || type == PathType::type4;
         if (from_lamps && plan_.lamps.empty()) return "no lamp shines into the picture";
         if (wanted_.by_photons[index_of(type)] && options_.photons.count == 0) return kNoPhotons;
