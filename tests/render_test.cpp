@@ -198,6 +198,21 @@ TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
     }
 }
 
+TEST_CASE("stages are timed in the order of the plan") {
+    Options options;
+    options.photons.count = 100;
+    options.type4 = options.type5 = ScatteredMethod::photons;
+    const Scene scene = assemble({upright_fibers({{0, 0}}, 1, 0.1f, white_fiber())}, {square(1, Rgb(1))},
+                                 {PointLight{{0, 0, 3}, Rgb(1)}, EnvironmentLight{}}, camera_on_z(10, 30, 4));
+    const Rendered r = render(scene, options);
+    std::vector<std::string> planned, timed;
+    for (const PlanItem& item : r.plan.stages)
+        if (!item.name.starts_with("light ")) planned.push_back(item.name);
+    for (const StageCost& cost : r.prepared.costs) timed.push_back(cost.name);
+    for (const StageCost& cost : loop_costs(r.state, r.plan)) timed.push_back(cost.name);
+    CHECK(timed == planned);
+}
+
 TEST_CASE("lights of absurd strength or nearness stay finite") {
     Options options = small_options();
     options.spp = 2;

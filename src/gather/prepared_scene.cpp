@@ -86,12 +86,12 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
             p.mesh = build_triangle_tree(scene.mesh, options.accel);
             return bytes(p.mesh);
         });
+    if (!plan.environments.empty())
+        timed(p.costs, stage::kEnvironment, [&] { return make_environments(scene, plan, p.environment); });
     if (plan.attenuation)
         timed(p.costs, stage::kAttenuation, [&] { return make_attenuation(scene, plan, p.attenuation); });
     if (plan.hair_colors)
         timed(p.costs, stage::kHairColors, [&] { return make_hair_colors(scene, p.segments, p.attenuation); });
-    if (!plan.environments.empty())
-        timed(p.costs, stage::kEnvironment, [&] { return make_environments(scene, plan, p.environment); });
     if (plan.photons()) {
         TracedPhotons traced;
         timed(p.costs, stage::kPhotons, [&] {
