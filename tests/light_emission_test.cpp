@@ -105,6 +105,19 @@ TEST_CASE("a quad sends all its light from inside, and from outside what the sph
     CHECK(total(QuadLight{kSphere.center + DVec3(0, 0, 4), {{1e-3, 0, 0}, {0, 1e-3, 0}}, kColor}).sent == 0);
 }
 
+TEST_CASE("a quad far away aims at the sphere: all its light arrives, as much as the sphere spans") {
+    for (const double distance : {20.0, 1e4, 1e9}) {
+        CAPTURE(distance);
+        const double side = 1e-3 * distance;
+        const QuadLight quad{kSphere.center + DVec3(0, 0, distance), {{0, side, 0}, {side, 0, 0}}, kColor};
+        const Total t = total(quad);
+        CHECK(t.sent >= kCount - 2);  // rounding at the rim
+        check_power(t, DVec3(kColor) * (kPi64 * square(side) * square(2 / distance)));
+        CHECK(double(luminance(emission_power(quad, kSphere))) ==
+              doctest::Approx(double(luminance(Rgb(t.power)))).epsilon(0.02));  // cosines in the cone: from 0.995 to 1
+    }
+}
+
 TEST_CASE("an environment sends what comes from everywhere across the sphere") {
     const Total even = total(make_environment_sampler(Image{}, kColor, 0));
     CHECK(even.sent == kCount);

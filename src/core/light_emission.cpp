@@ -107,6 +107,9 @@ Emission within(const Cone& cone, const DVec3& from, const Sphere& sphere, const
     return far_away ? from_infinity(sphere, cone.axis, pair, power) : starting(sphere, from, cone.sample(pair), power);
 }
 
+/// Whether a lamp's surface rather aims at the sphere than shines all over its hemisphere (whose cosines sum to pi).
+bool aims(const Cone& to_sphere) { return to_sphere.solid_angle() < kPi64; }
+
 double disc_area(const Sphere& sphere) { return kPi64 * square(sphere.radius); }
 
 }  // namespace
@@ -131,8 +134,15 @@ Rgb emission_power(const DistantLight& light, const Sphere& sphere) {
     return directed ? bounded(DVec3(light.irradiance) * disc_area(sphere)) : Rgb(0);
 }
 
-Rgb emission_power(const QuadLight& light, const Sphere&) {
-    return bounded(DVec3(light.radiance) * (kPi64 * safe_length(cross(light.edge[0], light.edge[1]))));
+/// At its middle, never less than where the sphere stands half behind the lamp's plane.
+Rgb emission_power(const QuadLight& light, const Sphere& sphere) {
+    const DVec3 area_normal = cross(light.edge[0], light.edge[1]);
+    const double area = safe_length(area_normal);
+    if (!(area > 0)) return Rgb(0);
+    const Cone cone = cone_towards(sphere, light.corner + 0.5 * (light.edge[0] + light.edge[1]));
+    if (!aims(cone)) return bounded(DVec3(light.radiance) * (kPi64 * area));
+    const double sine = std::sqrt(cone.below * (2 - cone.below)), cosine = dot(cone.axis, area_normal / area);
+    return bounded(DVec3(light.radiance) * (area * cone.solid_angle() * glm::max(cosine, sine)));
 }
 
 Emission emit(const PointLight& light, const Sphere& sphere, const glm::vec4& u) {
@@ -155,12 +165,20 @@ Emission emit(const DistantLight& light, const Sphere& sphere, const glm::vec4& 
 }
 
 Emission emit(const QuadLight& light, const Sphere& sphere, const glm::vec4& u) {
-    const Rgb power = emission_power(light, sphere);
-    if (!is_light(power)) return {};
-    const DVec3 normal = unit(cross(light.edge[0], light.edge[1]));
-    const DVec3 direction = WideFrame(normal).to_world(DVec3(sample_cosine_hemisphere({u.z, u.w})));
+    if (!is_light(emission_power(light, sphere))) return {};
+    const DVec3 area_normal = cross(light.edge[0], light.edge[1]), normal = unit(area_normal);
     const DVec3 on_quad = light.corner + double(u.x) * light.edge[0] + double(u.y) * light.edge[1];
-    Emission emission = starting(sphere, on_quad, direction, power);
+    const DVec3 flux = DVec3(light.radiance) * safe_length(area_normal);  // times solid angle and cosine
+    const Cone cone = cone_towards(sphere, on_quad);
+    Emission emission;
+    if (aims(cone)) {
+        emission = within(cone, on_quad, sphere, {u.z, u.w, 0, 0}, Rgb(1));
+        const double cosine = glm::max(dot(DVec3(emission.direction), normal), 0.0);
+        emission.power *= bounded(flux * (cone.solid_angle() * cosine));
+    } else {
+        const DVec3 direction = WideFrame(normal).to_world(DVec3(sample_cosine_hemisphere({u.z, u.w})));
+        emission = starting(sphere, on_quad, direction, bounded(flux * kPi64));
+    }
     // A lamp may lie in a polygon's plane, as in a ceiling: photons start clear of its rounding.
     constexpr float kUlps = 64 * std::numeric_limits<float>::epsilon();
     const float largest = max_component(abs(emission.position)) + float(sphere.radius);
