@@ -97,7 +97,7 @@ std::vector<OptionField> option_fields(Options& o) {
         {"photons.count", &p.count, 0, kMaxCount, "emitted, from all lights together"},
         {"photons.nearest", &p.nearest, 2, 65536, "photons that an estimate takes"},
         {"photons.radius", &p.radius, 0, 1e30, "largest of an estimate, scene units; 0: by the density of photons"},
-        {"gather.rays", &o.gather.rays, 1, 65536, "a camera sample, for types 2 and 3"},
+        {"gather.rays", &o.gather.rays, 1, 1024, "a camera sample, for types 2 and 3"},
         {"gather.crossings", &o.gather.crossings, 0, 65536, "of a ray, shaded for type 3; 0: every one"},
         {"film.filter_radius", &f.filter_radius, 0.5, 8, "pixels, of the Blackman-Harris filter"},
         {"film.exposure", &f.exposure, -40, 40, "stops, of the PNG only"},

@@ -7,8 +7,8 @@
 // weigh 1 / (c p_k), which keeps the mean; 0: every crossing counts, as in the paper. Wherever a crossing counts, all
 // lamps are weighed with nothing between, and a shadow ray goes to one of them, kept in proportion to the light that
 // it would bring: resampled importance sampling (Talbot et al. 2005). On the built-in scene, with four lamps, a shadow
-// ray to each took 1.5 % off the variance for more than twice the time; every crossing took 35 % off that of one
-// crossing a ray, for four times the time.
+// ray to each took 1.5 % off the variance for more than twice the time. Against one crossing a ray, three took 40 % off
+// the variance for 1.4 times the time of rays and crossings, all of them 46 % for 3.6 times.
 #pragma once
 
 #include <span>
