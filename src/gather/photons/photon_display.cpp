@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gather/photons/photon_display.h"
 
-#include <cassert>
-
 #include "core/light_sample.h"
 
 namespace tress {
@@ -44,10 +42,8 @@ void PhotonDisplay::show_on_polygons(const Scene& scene, const PreparedScene& pr
 }
 
 void PhotonDisplay::operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
-                               [[maybe_unused]] const TypeSet& shown, std::span<const ShadingPoint> points,
-                               std::span<LightByType> light) {
+                               std::span<const ShadingPoint> points, std::span<LightByType> light) {
     const ShownPhotons& photons = prepared.photons.shown;
-    assert(any(shown));
     on_polygon_.clear();
     for (uint32_t i = 0; i < points.size(); ++i) {
         if (points[i].fiber == kPolygon) {

@@ -14,8 +14,8 @@ namespace tress {
 
 class PhotonDisplay {
 public:
-    /// Adds to light[i], for the types in `shown`, what points[i] sends to the eye.
-    void operator()(const Scene& scene, const PreparedScene& prepared, const Options& options, const TypeSet& shown,
+    /// Adds to light[i], what points[i] sends to the eye.
+    void operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
                     std::span<const ShadingPoint> points, std::span<LightByType> light);
 
 private:
