@@ -175,7 +175,8 @@ TEST_CASE("without lamps, or without other hair, there is no Type 3") {
 TEST_CASE("Type 3 is the same bit for bit for any number of threads and on every instruction set") {
     for (const int crossings : {2, 0}) {
         Options options = small_options();
-        options.type1 = options.type2 = GatherMethod::off;
+        options.type1 = LampMethod::off;
+        options.type2 = GatherMethod::off;
         options.gather.rays = 2;
         options.gather.crossings = crossings;
         options.spp = 4;

@@ -38,8 +38,7 @@ inline double standard_error_of_difference(const Mean& a, const Mean& b) {
 
 inline Options all_by_path(ScatteringModel scattering = ScatteringModel::straight) {
     Options options;
-    options.type1 = options.type2 = options.type3 = GatherMethod::path;
-    options.type4 = options.type5 = ScatteredMethod::path;
+    use_paths(options);
     options.scattering = scattering;
     return options;
 }

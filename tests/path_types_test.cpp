@@ -92,15 +92,8 @@ TEST_CASE("a type that alone is asked for is what it is among all of them, and n
         for (int type = 0; type < kPathTypes; ++type) {
             CAPTURE(type + 1);
             Options options = all_by_path(scattering);
-            GatherMethod* const gathered[] = {&options.type1, &options.type2, &options.type3};
-            ScatteredMethod* const many[] = {&options.type4, &options.type5};
-            for (int other = 0; other < kPathTypes; ++other) {
-                if (other == type) continue;
-                if (other < 3)
-                    *gathered[other] = GatherMethod::off;
-                else
-                    *many[other - 3] = ScatteredMethod::off;
-            }
+            for (int other = 0; other < kPathTypes; ++other)
+                if (other != type) switch_off(options, PathType(other));
             const TypeMeans alone = trace_paths(Viewed(scene, options), points, kSamples, 4);
             const Mean &a = alone.type[size_t(type)], &b = together.type[size_t(type)];
             const double error = standard_error_of_difference(a, b);

@@ -27,7 +27,8 @@ TypeShare mean_of(const Scene& scene, const Options& options, PathType type) {
 /// One type, by path or by what photons serve.
 Options only(PathType type, bool by_path) {
     Options options;
-    options.type1 = options.type3 = GatherMethod::off;
+    options.type1 = LampMethod::off;
+    options.type3 = CrossingMethod::off;
     const ScatteredMethod scattered = by_path ? ScatteredMethod::path : ScatteredMethod::photons;
     options.type2 = type != PathType::type2 ? GatherMethod::off : by_path ? GatherMethod::path : GatherMethod::ray;
     if (type == PathType::type4) options.type4 = scattered;

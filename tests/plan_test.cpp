@@ -49,7 +49,7 @@ TEST_CASE("lights that may be seen are kept, also at the edge of their cone or p
 
 TEST_CASE("every stage is either built or left out, once") {
     Options off;
-    off.type1 = GatherMethod::off;
+    off.type1 = LampMethod::off;
     off.type2 = GatherMethod::off;
     const std::vector<Light> lights = {PointLight{}, EnvironmentLight{}};
     const PlacedHair hair = upright_fibers({{0, 0}}, 1, 0.1f, white_fiber());
@@ -70,7 +70,8 @@ TEST_CASE("every stage is either built or left out, once") {
 
 TEST_CASE("without hair, lights of the scattered types alone are left out") {
     Options scattered;
-    scattered.type1 = scattered.type2 = GatherMethod::off;
+    scattered.type1 = LampMethod::off;
+    scattered.type2 = GatherMethod::off;
     scattered.type4 = scattered.type5 = ScatteredMethod::path;
     const Scene scene = assemble({}, {square(1, Rgb(1))}, {PointLight{{0, 0, 3}, Rgb(1)}, EnvironmentLight{}}, {});
     const Plan plan = make_plan(scene, scattered);
@@ -143,7 +144,7 @@ TEST_CASE("full scattering sees through no fiber, and is for paths alone") {
     Options options;
     options.scattering = ScatteringModel::full;
     CHECK_THROWS_AS(hair_plan({PointLight{}}, true, options), InputError);
-    options.type1 = options.type2 = options.type3 = GatherMethod::path;
+    use_paths(options);
     const Plan plan = hair_plan({PointLight{}}, true, options);
     CHECK(any(plan.paths));
     CHECK_FALSE(plan.attenuation);

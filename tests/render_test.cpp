@@ -190,8 +190,7 @@ TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
         CHECK(r.layer("")->data == std::vector<float>{0, 0, 0, 0});
     }
     SUBCASE("types switched off") {
-        options.type1 = GatherMethod::off;
-        options.type2 = options.type3 = GatherMethod::off;
+        for (const PathType type : {PathType::type1, PathType::type2, PathType::type3}) switch_off(options, type);
         const Rendered r = render(busy_scene(8), options);
         CHECK(r.prepared.attenuation.table.empty());
         CHECK(names(loop_costs(r.state, r.plan)) == std::vector<std::string>{stage::kCameraRays});

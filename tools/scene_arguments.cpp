@@ -66,11 +66,7 @@ SceneDescription describe(const SceneArguments& arguments) {
     SceneDescription scene = arguments.scene.empty() ? builtin_scene() : read_scene_file(arguments.scene);
     if (!arguments.fiber.empty())
         for (HairDescription& hair : scene.hair) hair.fiber = read_fiber(arguments.fiber, "--fiber", hair.fiber);
-    if (arguments.reference) {
-        Options& o = scene.options;
-        o.type1 = o.type2 = o.type3 = GatherMethod::path;
-        o.type4 = o.type5 = ScatteredMethod::path;
-    }
+    if (arguments.reference) use_paths(scene.options);
     for (const std::string& assignment : arguments.sets) set_option(scene.options, assignment);
     for (const auto& [key, text] : arguments.flags) set_option(scene.options, "--" + key, key, text);
     if (arguments.flags.contains("time") && !arguments.flags.contains("spp")) scene.options.spp = kMostSamples;

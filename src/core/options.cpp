@@ -13,6 +13,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr std::string_view kLampNames[] = {"off", "ray", "deep", "opacity", "clusters", "path", "auto"};
+constexpr std::string_view kCrossingNames[] = {"off", "ray", "ray+deep", "ray+opacity", "ray+clusters", "path"};
 constexpr std::string_view kGatherNames[] = {"off", "ray", "path"};
 constexpr std::string_view kScatteredNames[] = {"off", "photons", "path"};
 constexpr std::string_view kScatteringNames[] = {"straight", "full"};
@@ -68,12 +70,13 @@ std::string number_text(T value) {
 std::vector<OptionField> option_fields(Options& o) {
     AccelOptions& a = o.accel;
     PhotonOptions& p = o.photons;
+    MapOptions& m = o.maps;
     FilmOptions& f = o.film;
     return {
-        {"type1", choice(o.type1, kGatherNames), 0, 0, "light from lamps, straight through hair"},
+        {"type1", choice(o.type1, kLampNames), 0, 0, "light from lamps, straight through hair"},
         {"type2", choice(o.type2, kGatherNames), 0, 0,
          "light from polygons and the environment, straight through hair"},
-        {"type3", choice(o.type3, kGatherNames), 0, 0, "light from lamps, scattered once on its way"},
+        {"type3", choice(o.type3, kCrossingNames), 0, 0, "light from lamps, scattered once on its way"},
         {"type4", choice(o.type4, kScatteredNames), 0, 0, "light from lamps, scattered more than once on its way"},
         {"type5", choice(o.type5, kScatteredNames), 0, 0, "light from elsewhere, scattered on its way"},
         {"scattering", choice(o.scattering, kScatteringNames), 0, 0, "of types by path: full scatters TT by its lobe"},
@@ -99,6 +102,13 @@ std::vector<OptionField> option_fields(Options& o) {
         {"photons.radius", &p.radius, 0, 1e30, "largest of an estimate, scene units; 0: by the density of photons"},
         {"gather.rays", &o.gather.rays, 1, 1024, "a camera sample, for types 2 and 3"},
         {"gather.crossings", &o.gather.crossings, 0, 65536, "of a ray, shaded for type 3; 0: every one"},
+        {"maps.resolution", &m.resolution, 1, 16384, "texels of the longer side of a lamp's view of the hair"},
+        {"maps.grid", &m.grid, 1, 16, "a quad light has grid x grid shadow maps"},
+        {"maps.near", &m.near, 0, 1e6, "texel widths next to a point that are traced exactly; 0: none"},
+        {"deep.error", &o.deep.error, 0, 0.5, "greatest error of transmittance by compression"},
+        {"opacity.layers", &o.opacity.layers, 1, 1024, "of optical depth"},
+        {"opacity.follow", &o.opacity.follow, 0, 0, "layers start at the first hair of each texel"},
+        {"clusters.count", &o.clusters.count, 1, 64, "clusters of hair a texel"},
         {"film.filter_radius", &f.filter_radius, 0.5, 8, "pixels, of the Blackman-Harris filter"},
         {"film.exposure", &f.exposure, -40, 40, "stops, of the PNG only"},
     };
@@ -116,6 +126,59 @@ std::string accepted(const OptionField& field) {
     text << (whole ? "a whole number" : "a number") << " from " << number_text(field.lowest) << " to "
          << number_text(field.highest);
     return text.str();
+}
+
+void use_paths(Options& o) {
+    o.type1 = LampMethod::path;
+    o.type2 = GatherMethod::path;
+    o.type3 = CrossingMethod::path;
+    o.type4 = o.type5 = ScatteredMethod::path;
+}
+
+void switch_off(Options& o, PathType type) {
+    switch (type) {
+        case PathType::type1:
+            o.type1 = LampMethod::off;
+            break;
+        case PathType::type2:
+            o.type2 = GatherMethod::off;
+            break;
+        case PathType::type3:
+            o.type3 = CrossingMethod::off;
+            break;
+        case PathType::type4:
+            o.type4 = ScatteredMethod::off;
+            break;
+        case PathType::type5:
+            o.type5 = ScatteredMethod::off;
+            break;
+    }
+}
+
+std::optional<MapKind> map_kind(LampMethod method) {
+    switch (method) {
+        case LampMethod::deep:
+            return MapKind::deep;
+        case LampMethod::opacity:
+            return MapKind::opacity;
+        case LampMethod::clusters:
+            return MapKind::clusters;
+        default:
+            return {};
+    }
+}
+
+std::optional<MapKind> map_kind(CrossingMethod method) {
+    switch (method) {
+        case CrossingMethod::ray_deep:
+            return MapKind::deep;
+        case CrossingMethod::ray_opacity:
+            return MapKind::opacity;
+        case CrossingMethod::ray_clusters:
+            return MapKind::clusters;
+        default:
+            return {};
+    }
 }
 
 std::string_view isa_name(Isa isa) { return kIsaNames[size_t(isa)]; }

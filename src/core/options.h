@@ -4,16 +4,21 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "core/path_type.h"
+
 namespace tress {
 
-enum class GatherMethod : int { off, ray, path };         // types 1 to 3
-enum class ScatteredMethod : int { off, photons, path };  // types 4 and 5
+enum class LampMethod : int { off, ray, deep, opacity, clusters, path, automatic };       // type 1
+enum class GatherMethod : int { off, ray, path };                                         // type 2
+enum class CrossingMethod : int { off, ray, ray_deep, ray_opacity, ray_clusters, path };  // type 3
+enum class ScatteredMethod : int { off, photons, path };                                  // types 4 and 5
 enum class ScatteringModel : int { straight, full };
 enum class Isa : int { automatic, scalar, sse4, avx2, avx512 };
 enum class SplitMethod : int { binned, exact, naive, spatial_median, object_median };
@@ -46,13 +51,37 @@ struct GatherOptions {
     int crossings = 1;  // of a ray, shaded for type 3, drawn by what they are seen through; 0: every one
 };
 
+enum class MapKind : int { deep, opacity, clusters };  // of shadow maps
+inline constexpr int kMapKinds = 3;
+
+struct MapOptions {
+    int resolution = 512;  // texels of the longer side of a view
+    int grid = 2;          // a quad light has grid x grid views
+    float near = 2.5f;     // texel widths next to a point that rays are traced through before a map is asked; 0: none
+};
+
+struct DeepOptions {
+    float error = 0.01f;  // greatest error of transmittance by compression; 0: none is allowed
+};
+
+struct OpacityOptions {
+    int layers = 32;      // too few band the hair
+    bool follow = false;  // layers start at each texel's first hair (deep opacity maps)
+};
+
+struct ClusterOptions {
+    int count = 4;  // a texel
+};
+
 struct FilmOptions {
     float filter_radius = 1.5f;  // pixels; Blackman-Harris, sampled by importance
     float exposure = 0;          // stops, of the PNG only
 };
 
 struct Options {
-    GatherMethod type1 = GatherMethod::ray, type2 = GatherMethod::ray, type3 = GatherMethod::ray;
+    LampMethod type1 = LampMethod::ray;
+    GatherMethod type2 = GatherMethod::ray;
+    CrossingMethod type3 = CrossingMethod::ray;
     ScatteredMethod type4 = ScatteredMethod::off, type5 = ScatteredMethod::off;
     ScatteringModel scattering = ScatteringModel::straight;  // of the method `path`
     int spp = 64;                                            // samples a pixel
@@ -64,6 +93,10 @@ struct Options {
     AccelOptions accel;
     PhotonOptions photons;
     GatherOptions gather;
+    MapOptions maps;
+    DeepOptions deep;
+    OpacityOptions opacity;
+    ClusterOptions clusters;
     FilmOptions film;
 };
 
@@ -86,6 +119,14 @@ std::vector<OptionField> option_fields(Options& options);
 
 /// Sets `key` from text; throws InputError that names `where`, the nearest known key, or the range.
 void set_option(Options& options, const std::string& where, std::string_view key, std::string_view text);
+
+/// All types by `path`.
+void use_paths(Options& options);
+void switch_off(Options& options, PathType type);
+
+/// Shadow maps that a method asks, if any.
+std::optional<MapKind> map_kind(LampMethod method);
+std::optional<MapKind> map_kind(CrossingMethod method);
 
 /// "avx2" …
 std::string_view isa_name(Isa isa);

@@ -21,11 +21,9 @@ struct Wanted {
 
 Wanted wanted_types(const Options& o) {
     Wanted w;
-    const GatherMethod gathered[] = {o.type1, o.type2, o.type3};
-    for (int t = 0; t < 3; ++t) {
-        w.by_ray[t] = gathered[t] == GatherMethod::ray;
-        w.by_path[t] = gathered[t] == GatherMethod::path;
-    }
+    w.by_path = {o.type1 == LampMethod::path, o.type2 == GatherMethod::path, o.type3 == CrossingMethod::path};
+    w.by_ray = {o.type1 != LampMethod::off && !w.by_path[0], o.type2 == GatherMethod::ray,
+                o.type3 != CrossingMethod::off && !w.by_path[2]};
     const ScatteredMethod scattered[] = {o.type4, o.type5};
     for (int t = 3; t < kPathTypes; ++t) {
         w.by_photons[t] = scattered[t - 3] == ScatteredMethod::photons;
