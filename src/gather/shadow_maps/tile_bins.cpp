@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "gather/shadow_maps/tile_bins.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "gather/shadow_maps/ribbon.h"
+
+namespace tress {
+namespace {
+
+/// Parts of the list of segments that are binned each on its own, one after another. Not the number of threads, on
+/// which the result would then depend; enough for any.
+constexpr size_t kParts = 64;
+
+struct BinnedPart {
+    std::vector<BinnedSegment> binned;
+    std::vector<uint32_t> tile;    // one a binned segment
+    std::vector<uint64_t> placed;  // one a tile: how many of it; then where the next goes
+};
+
+/// Box [low, high] of texels, as numbers.
+struct Box {
+    glm::dvec2 low{1e300}, high{-1e300};
+    void add(const glm::dvec2& p) { low = min(low, p), high = max(high, p); }
+};
+
+/// Box of a thin ribbon between two places of its major axis; of nothing where there is none.
+Box thin_box(const Ribbon& r, double from, double to) {
+    Box box;
+    const int major = r.major, minor = 1 - major;
+    from = std::max(from, r.at[0][major]), to = std::min(to, r.at[1][major]);
+    if (!(from <= to)) return box;
+    for (const double at : {from, to}) {
+        const double u = (at - r.at[0][major]) / (r.at[1][major] - r.at[0][major]);
+        glm::dvec2 p(0);
+        p[major] = at;
+        p[minor] = r.at[0][minor] + u * (r.at[1][minor] - r.at[0][minor]);
+        glm::dvec2 across(0);
+        across[minor] = std::max(r.half_width[0], r.half_width[1]);
+        box.add(p - across), box.add(p + across);
+    }
+    return box;
+}
+
+/// Tiles [low, high) that a box touches.
+TexelRect tiles_of(const LightView& view, const Box& box) {
+    const auto index = [](double texel, int size) {
+        return int(std::clamp(texel, 0.0, double(size))) / kViewTile;  // towards zero is down
+    };
+    TexelRect tiles{{0, 0}, {0, 0}};
+    if (!(box.low.x < view.width && box.low.y < view.height && box.high.x > 0 && box.high.y > 0)) return tiles;
+    tiles.low = {index(box.low.x, view.width), index(box.low.y, view.height)};
+    tiles.high = {std::min(index(box.high.x, view.width) + 1, tiles_across(view)),
+                  std::min(index(box.high.y, view.height) + 1, tiles_down(view))};
+    return tiles;
+}
+
+/// Whether all of a tile lies outside one edge of a convex outline.
+bool misses(const RibbonOutline& o, const glm::ivec2& tile) {
+    const glm::dvec2 middle = (glm::dvec2(tile) + 0.5) * double(kViewTile);
+    double area = 0;
+    for (int k = 0; k < o.corners; ++k) {
+        const glm::dvec2 p = o.corner[size_t(k)], q = o.corner[size_t((k + 1) % o.corners)];
+        area += p.x * q.y - p.y * q.x;
+    }
+    for (int k = 0; k < o.corners; ++k) {
+        const glm::dvec2 p = o.corner[size_t(k)];
+        const glm::dvec2 edge = o.corner[size_t((k + 1) % o.corners)] - p, from = middle - p;
+        const double inward = (area < 0 ? -1 : 1) * (edge.x * from.y - edge.y * from.x);
+        if (inward < -0.5 * kViewTile * (std::abs(edge.x) + std::abs(edge.y))) return true;
+    }
+    return false;
+}
+
+template <class Take>
+void for_each_tile(const LightView& view, const Ribbon& r, const Take& take) {
+    if (r.shape != Ribbon::Shape::thin) {
+        const RibbonOutline o = outline(view, r);
+        Box box;
+        for (int k = 0; k < o.corners; ++k) box.add(o.corner[size_t(k)]);
+        const TexelRect tiles = tiles_of(view, box);
+        const bool one = tiles.high.x - tiles.low.x == 1 && tiles.high.y - tiles.low.y == 1;
+        for (int y = tiles.low.y; y < tiles.high.y; ++y)
+            for (int x = tiles.low.x; x < tiles.high.x; ++x)
+                if (one || !misses(o, {x, y})) take(x, y);
+        return;
+    }
+    const int major = r.major;
+    const TexelRect all = tiles_of(view, thin_box(r, r.at[0][major], r.at[1][major]));
+    const bool straight = all.high[0] - all.low[0] <= 1 || all.high[1] - all.low[1] <= 1;
+    for (int i = all.low[major]; i < all.high[major]; ++i) {
+        TexelRect tiles = all;
+        if (!straight) tiles = tiles_of(view, thin_box(r, i * kViewTile, (i + 1) * kViewTile));
+        for (int j = tiles.low[1 - major]; j < tiles.high[1 - major]; ++j) major == 0 ? take(i, j) : take(j, i);
+    }
+}
+
+void bin_part(const LightView& view, const SegmentView& segments, size_t first, size_t last, BinnedPart& part) {
+    part.placed.assign(size_t(tile_count(view)), 0);
+    for (size_t s = first; s < last; ++s) {
+        const std::optional<Ribbon> ribbon = make_ribbon(view, segments, uint32_t(s));
+        if (!ribbon) continue;
+        const float z = float(z_at(view, *ribbon, 0.5));
+        for_each_tile(view, *ribbon, [&](int x, int y) {
+            const uint32_t tile = uint32_t(y * tiles_across(view) + x);
+            part.binned.push_back({uint32_t(s), z});
+            part.tile.push_back(tile);
+            ++part.placed[tile];
+        });
+    }
+}
+
+}  // namespace
+
+TileBins bin_segments(const LightView& view, const SegmentView& segments) {
+    std::vector<BinnedPart> parts(kParts);
+    tbb::parallel_for(size_t(0), kParts, [&](size_t k) {
+        bin_part(view, segments, segments.size() * k / kParts, segments.size() * (k + 1) / kParts, parts[k]);
+    });
+    TileBins bins;
+    uint64_t total = 0;
+    for (size_t tile = 0; tile < size_t(tile_count(view)); ++tile) {
+        bins.first.push_back(total);
+        for (BinnedPart& part : parts) {
+            const uint64_t count = part.placed[tile];
+            part.placed[tile] = total;
+            total += count;
+        }
+    }
+    bins.first.push_back(total);
+    bins.binned.resize(total);
+    tbb::parallel_for(size_t(0), kParts, [&](size_t k) {
+        BinnedPart& part = parts[k];
+        for (size_t i = 0; i < part.binned.size(); ++i) bins.binned[part.placed[part.tile[i]]++] = part.binned[i];
+        part = {};
+    });
+    return bins;
+}
+
+}  // namespace tress
