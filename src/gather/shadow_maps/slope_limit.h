@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Which lines pass through a row of vertical gaps: those between a steepest and a flattest one, kept as gaps come in
+// (O'Rourke 1981, "An on-line algorithm for fitting straight lines between data ranges"). Constant time a gap, on
+// average over a row.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+namespace tress {
+
+/// The line of the greatest slope, up to `cap`, through all gaps [floor, ceiling] so far; right of them no other line
+/// is higher. The line of the least slope is that of the mirrored gaps [-ceiling, -floor].
+/// Invariant: hull[front ..] is the upper hull of those floors that the line can still come to touch.
+struct SlopeLimit {
+    static constexpr double kNoCap = std::numeric_limits<double>::infinity();
+
+    /// From here on only gaps with x > 0 count, in order, and the one at 0.
+    void start(double floor, double ceiling, double greatest_slope) {
+        hull_.assign(1, {0, floor});
+        front_ = 0;
+        x_ = 0, y_ = ceiling;
+        slope_ = cap_ = greatest_slope;
+    }
+
+    double at(double x) const { return y_ + slope_ * (x - x_); }  // x > those so far
+
+    /// Needs floor <= at(x).
+    void add(double x, double floor, double ceiling) {
+        if (ceiling < at(x)) hang_from({x, ceiling});
+        const Point p{x, floor};
+        while (hull_.size() > front_ + 1 && slope(hull_[hull_.size() - 2], p) <= slope(hull_.back(), p))
+            hull_.pop_back();
+        hull_.push_back(p);
+    }
+
+private:
+    struct Point {
+        double x, y;
+    };
+    static double slope(const Point& a, const Point& b) { return (b.y - a.y) / (b.x - a.x); }
+
+    /// The line through `top` that touches the hull. Where a point of the hull is passed over, no later line, which is
+    /// less steep, comes back to it.
+    void hang_from(const Point& top) {
+        double least = slope(hull_[front_], top);
+        for (; front_ + 1 < hull_.size(); ++front_) {
+            const double next = slope(hull_[front_ + 1], top);
+            if (next > least) break;
+            least = next;
+        }
+        x_ = top.x, y_ = top.y;
+        slope_ = least < cap_ ? least : cap_;
+    }
+
+    std::vector<Point> hull_;
+    size_t front_ = 0;
+    double x_ = 0, y_ = 0, slope_ = 0, cap_ = 0;
+};
+
+}  // namespace tress

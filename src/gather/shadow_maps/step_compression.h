@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Compression of Lokovic & Veach 2000, section 3.2: a falling step function becomes piecewise linear, with few nodes,
+// and errs nowhere by more than a bound. The paper fixes each node before it looks for the next; here a node keeps its
+// whole range of values until the end is reached, and values are settled on the way back, which takes fewer nodes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gather/shadow_maps/slope_limit.h"
+
+namespace tress {
+
+/// V is 1 up to depth[0] inclusive, and value[c][i] behind depth[i] up to depth[i + 1] inclusive, or for ever. Depths
+/// are finite and do not fall; values do not rise and lie in [0, 1]. One channel or three; the others are empty.
+struct StepFunction {
+    std::span<const float> depth;
+    std::span<const float> value[3];
+
+    int channels() const { return value[1].empty() ? 1 : 3; }
+};
+
+/// V' is 1 up to the first node, linear between nodes, and constant behind the last. Two nodes at one depth are a step,
+/// and at that depth the former holds.
+struct StepNodes {
+    std::vector<float> depth;
+    std::vector<float> value[3];  // one channel, the others empty, or three
+};
+
+/// Keeps its memory from one function to the next.
+class StepCompressor {
+public:
+    /// |V - V'| <= bound everywhere, on both sides of every step and in every channel. V' does not rise and stays in
+    /// [0, 1]; the first node is (depth[0], 1) to the bit. Nodes replace what `nodes` held. With a bound below 5e-7
+    /// nothing is lost: every step stays one. Linear time.
+    void operator()(const StepFunction& steps, float bound, StepNodes& nodes);
+
+private:
+    struct Range {
+        double low, high;
+        bool holds_some() const { return low <= high; }
+        double middle() const { return 0.5 * (low + high); }
+        double nearest(double v) const { return v < low ? low : (v > high ? high : v); }
+    };
+    using Ranges = std::array<Range, 3>;  // one a channel
+
+    /// One node, or two where V' drops: all values that can be reached before, and those to go on from.
+    struct Stop {
+        uint32_t step;
+        bool drop;
+        Ranges before, after;
+    };
+
+    void merge(const StepFunction& steps);
+    double value(int64_t step, int c) const { return step < 0 ? 1.0 : value_[size_t(step) * channels_ + size_t(c)]; }
+    Range allowed(int64_t step, int c, double bound) const;
+    Range through(uint32_t step, int c, double bound) const;
+    Range reached(const Range& allowed, int c, double x) const;
+    bool joins(uint32_t step, double x, Ranges& ranges) const;
+    bool drops(uint32_t step, double x, Ranges& ranges) const;
+    void drop_from(Stop& stop) const;
+    Stop first_stop() const;
+    Stop next_stop(const Stop& from);
+    bool can_rest(const Stop& stop) const;
+    double settle(const Stop& from, const Stop& to, int c, double end) const;
+    void write(StepNodes& nodes) const;
+
+    size_t channels_ = 1;
+    double search_ = 0, keep_ = 0;  // bounds of the way forth and of the way back
+    std::vector<double> depth_;     // one a step of some height
+    std::vector<double> value_;     // behind it; channels side by side
+    SlopeLimit flattest_[3], steepest_[3];
+    std::vector<Stop> stops_;
+};
+
+}  // namespace tress

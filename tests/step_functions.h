@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Random falling step functions of many shapes, and how far nodes are from them, by definition and in double.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/rng.h"
+#include "gather/shadow_maps/step_compression.h"
+
+namespace tress {
+
+struct Steps {
+    std::vector<float> depth, value[3];
+
+    StepFunction view() const { return {depth, {value[0], value[1], value[2]}}; }
+};
+
+inline constexpr int kStepShapes = 10;
+
+/// Gap to the next depth, and share of the light that a step takes, of one shape.
+inline float next_depth(int shape, float depth, float u) {
+    const float gap = -std::log(1 - u);  // exponential: a Poisson process
+    switch (shape) {
+        case 3:
+            return depth + float(gap > 1);  // several at one depth
+        case 5:
+            return u < 0.9f ? std::nextafter(depth, 1e9f) : depth + 1e-3f * gap;
+        case 7:
+            return depth * (1 + 2 * gap);  // 1e-30 to 1e30 and more
+        case 8:
+            return depth < 0 ? depth * u : depth + u;  // towards 0 and away from it
+        default:
+            return depth + gap;
+    }
+}
+inline float next_opacity(int shape, float u, float w) {
+    switch (shape) {
+        case 1:
+            return w < 0.03f ? u : 0;  // cliffs
+        case 2:
+            return w < 0.2f ? 0.3f * u : 0;  // plateaus, steps of no height between
+        case 4:
+            return w < 0.02f ? 1 : u * u;  // down to 0
+        case 6:
+            return 1 - 1e-6f * (1 - u);  // through the denormals
+        case 9:
+            return 1e-3f * u;  // smooth
+        default:
+            return 0.06f * u;  // hair: c (1 - a)
+    }
+}
+
+inline Steps random_steps(uint64_t key, int shape, size_t count, int channels) {
+    Steps steps;
+    float depth = shape == 7 ? 1e-30f : (shape == 8 ? -1e30f : (shape == 5 ? 100.0f : random(key, 0)));
+    float left[3] = {1, 1, 1};
+    for (size_t i = 0; i < count; ++i) {
+        const uint64_t own = hash(key, i + 1);
+        const float along = random(own, 0), rare = random(own, 1);
+        const float farther = next_depth(shape, depth, along);
+        if (std::isfinite(farther)) depth = farther;
+        steps.depth.push_back(depth);
+        for (int c = 0; c < channels; ++c) {
+            left[c] *= 1 - next_opacity(shape, random(own, 2 + uint64_t(c)), rare);
+            steps.value[c].push_back(left[c]);
+        }
+    }
+    return steps;
+}
+
+/// V' just before and just behind a depth; `node`: the first that is not before it, or that is behind it.
+inline double node_value(const StepNodes& nodes, int c, size_t node, double depth) {
+    if (node == 0) return 1;
+    if (node == nodes.depth.size()) return nodes.value[c].back();
+    const double from = nodes.depth[node - 1], to = nodes.depth[node];
+    const double a = nodes.value[c][node - 1], b = nodes.value[c][node];
+    return a + (b - a) * ((depth - from) / (to - from));
+}
+inline double value_before(const StepNodes& nodes, int c, double depth) {
+    const size_t node = size_t(std::lower_bound(nodes.depth.begin(), nodes.depth.end(), depth) - nodes.depth.begin());
+    return node_value(nodes, c, node, depth);
+}
+
+/// Greatest |V - V'| of a channel: on both sides of all depths of both functions, and half way between them.
+inline double greatest_error(const Steps& steps, const StepNodes& nodes, int c) {
+    const size_t m = steps.depth.size(), n = nodes.depth.size();
+    const auto step_value = [&](size_t step) { return step == 0 ? 1.0 : double(steps.value[c][step - 1]); };
+    double worst = 0;
+    size_t step = 0, node = 0;  // how many depths lie before here
+    const auto compare = [&](double depth) {
+        worst = std::max(worst, std::abs(step_value(step) - node_value(nodes, c, node, depth)));
+    };
+    while (step < m || node < n) {
+        const float here = std::min(step < m ? steps.depth[step] : INFINITY, node < n ? nodes.depth[node] : INFINITY);
+        compare(here);
+        while (step < m && steps.depth[step] == here) ++step;
+        while (node < n && nodes.depth[node] == here) ++node;
+        compare(here);
+        if (step == m && node == n) break;
+        const float next = std::min(step < m ? steps.depth[step] : INFINITY, node < n ? nodes.depth[node] : INFINITY);
+        compare(0.5 * (double(here) + double(next)));
+    }
+    return worst;
+}
+
+}  // namespace tress
