@@ -4,6 +4,8 @@
 // average over a row.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -29,8 +31,7 @@ struct SlopeLimit {
     void add(double x, double floor, double ceiling) {
         if (ceiling < at(x)) hang_from({x, ceiling});
         const Point p{x, floor};
-        while (hull_.size() > front_ + 1 && slope(hull_[hull_.size() - 2], p) <= slope(hull_.back(), p))
-            hull_.pop_back();
+        while (hull_.size() > front_ + 1 && !steeper(hull_[hull_.size() - 2], hull_.back(), p)) hull_.pop_back();
         hull_.push_back(p);
     }
 
@@ -38,19 +39,19 @@ private:
     struct Point {
         double x, y;
     };
-    static double slope(const Point& a, const Point& b) { return (b.y - a.y) / (b.x - a.x); }
+
+    /// Whether the slope from `a` to `top` is greater than that from `b` to it. Both lie left of it.
+    static bool steeper(const Point& a, const Point& b, const Point& top) {
+        return (top.y - a.y) * (top.x - b.x) > (top.y - b.y) * (top.x - a.x);
+    }
 
     /// The line through `top` that touches the hull. Where a point of the hull is passed over, no later line, which is
     /// less steep, comes back to it.
     void hang_from(const Point& top) {
-        double least = slope(hull_[front_], top);
-        for (; front_ + 1 < hull_.size(); ++front_) {
-            const double next = slope(hull_[front_ + 1], top);
-            if (next > least) break;
-            least = next;
-        }
+        while (front_ + 1 < hull_.size() && !steeper(hull_[front_ + 1], hull_[front_], top)) ++front_;
+        const Point& touched = hull_[front_];
         x_ = top.x, y_ = top.y;
-        slope_ = least < cap_ ? least : cap_;
+        slope_ = std::min((top.y - touched.y) / (top.x - touched.x), cap_);
     }
 
     std::vector<Point> hull_;

@@ -20,33 +20,22 @@ constexpr double kLeastBound = 4 * kAllowance;
 }  // namespace
 
 /// Steps at one depth become one, and those of no height but the first none.
-void StepCompressor::merge(const StepFunction& steps) {
-    depth_.clear(), value_.clear();
+void StepCompressor::merge(const StepFunction& steps, double bound) {
+    depth_.clear(), behind_.clear();
     for (size_t i = 0; i < steps.depth.size(); ++i) {
         assert(i == 0 || steps.depth[i] >= steps.depth[i - 1]);
-        const double depth = steps.depth[i];
-        const bool same_depth = i > 0 && depth == depth_.back();
-        bool same_value = i > 0;
-        for (size_t c = 0; c < channels_ && same_value; ++c)
-            same_value = double(steps.value[c][i]) == value_[value_.size() - channels_ + c];
-        if (same_value) continue;
-        if (same_depth)
-            value_.resize(value_.size() - channels_);
+        bool falls = i == 0;
+        for (size_t c = 0; c < channels_; ++c) falls |= double(steps.value[c][i]) != rest_[c];
+        if (!falls) continue;
+        if (i > 0 && double(steps.depth[i]) == depth_.back())
+            behind_.resize(behind_.size() - channels_);
         else
-            depth_.push_back(depth);
-        for (size_t c = 0; c < channels_; ++c) value_.push_back(steps.value[c][i]);
+            depth_.push_back(steps.depth[i]);
+        for (size_t c = 0; c < channels_; ++c) {
+            rest_[c] = steps.value[c][i];
+            behind_.push_back({std::max(rest_[c] - bound, 0.0), std::min(rest_[c] + bound, 1.0)});
+        }
     }
-}
-
-/// Of V' behind a step, up to the next.
-StepCompressor::Range StepCompressor::allowed(int64_t step, int c, double bound) const {
-    const double v = value(step, c);
-    return {std::max(v - bound, 0.0), std::min(v + bound, 1.0)};
-}
-
-/// Of a V' that goes through a step without a drop: none where the step is higher than twice the bound.
-StepCompressor::Range StepCompressor::through(uint32_t step, int c, double bound) const {
-    return {allowed(int64_t(step) - 1, c, bound).low, allowed(step, c, bound).high};
 }
 
 /// Of those allowed, what lines through all that lies between can reach.
@@ -56,7 +45,7 @@ StepCompressor::Range StepCompressor::reached(const Range& allowed, int c, doubl
 
 bool StepCompressor::joins(uint32_t step, double x, Ranges& ranges) const {
     for (int c = 0; c < int(channels_); ++c) {
-        const Range gap = through(step, c, search_);
+        const Range gap = through(step, c);
         ranges[c] = reached(gap, c, x);
         if (!gap.holds_some() || !ranges[c].holds_some()) return false;
     }
@@ -67,8 +56,8 @@ bool StepCompressor::joins(uint32_t step, double x, Ranges& ranges) const {
 bool StepCompressor::drops(uint32_t step, double x, Ranges& ranges) const {
     bool high = false, reaches = true;
     for (int c = 0; c < int(channels_); ++c) {
-        high |= !through(step, c, search_).holds_some();
-        ranges[c] = reached(allowed(int64_t(step) - 1, c, search_), c, x);
+        high |= !through(step, c).holds_some();
+        ranges[c] = reached(before(step, c), c, x);
         reaches &= ranges[c].holds_some();
     }
     return high && reaches;
@@ -77,7 +66,7 @@ bool StepCompressor::drops(uint32_t step, double x, Ranges& ranges) const {
 void StepCompressor::drop_from(Stop& stop) const {
     stop.drop = true;
     for (int c = 0; c < int(channels_); ++c) {
-        stop.after[c] = allowed(stop.step, c, search_);
+        stop.after[c] = behind(stop.step, c);
         stop.after[c].high = std::min(stop.after[c].high, stop.before[c].high);
     }
 }
@@ -87,7 +76,7 @@ StepCompressor::Stop StepCompressor::first_stop() const {
     stop.before.fill({1, 1});
     stop.after = stop.before;
     for (int c = 0; c < int(channels_); ++c)
-        if (allowed(0, c, search_).high < 1) drop_from(stop);
+        if (behind(0, c).high < 1) drop_from(stop);
     return stop;
 }
 
@@ -111,7 +100,7 @@ StepCompressor::Stop StepCompressor::next_stop(const Stop& from) {
             break;
         }
         for (int c = 0; c < int(channels_); ++c) {
-            const Range gap = through(to.step, c, search_);
+            const Range gap = through(to.step, c);
             flattest_[c].add(x, gap.low, gap.high);
             steepest_[c].add(x, -gap.high, -gap.low);
         }
@@ -125,7 +114,7 @@ StepCompressor::Stop StepCompressor::next_stop(const Stop& from) {
 /// Whether V' may stay constant from a stop on.
 bool StepCompressor::can_rest(const Stop& stop) const {
     for (int c = 0; c < int(channels_); ++c)
-        if (allowed(int64_t(depth_.size()) - 1, c, search_).high < stop.after[c].low) return false;
+        if (behind(uint32_t(depth_.size()) - 1, c).high < stop.after[c].low) return false;
     return true;
 }
 
@@ -136,10 +125,10 @@ double StepCompressor::settle(const Stop& from, const Stop& to, int c, double en
     start.low = std::max(start.low, end);
     const double last = depth_[to.step], length = last - depth_[from.step];
     for (uint32_t i = from.step + 1; i < to.step; ++i) {
-        const Range gap = through(i, c, keep_);
+        const Range gap = through(i, c);
         const double stretch = length / (last - depth_[i]);
-        start.low = std::max(start.low, end + (gap.low - end) * stretch);
-        start.high = std::min(start.high, end + (gap.high - end) * stretch);
+        start.low = std::max(start.low, end + (gap.low - slack_ - end) * stretch);
+        start.high = std::min(start.high, end + (gap.high + slack_ - end) * stretch);
     }
     return std::max(end, from.after[c].nearest(start.middle()));
 }
@@ -156,10 +145,8 @@ void StepCompressor::write(StepNodes& nodes) const {
         nodes.value[c].resize(c < int(channels_) ? count : 0);
         if (nodes.value[c].empty()) continue;
         // What remains behind the last step is kept as exactly as can be.
-        const Stop& end = stops_.back();
-        const double rest = value(int64_t(depth_.size()) - 1, c);
-        const Range allowed_rest{end.after[c].low, std::min(end.after[c].high, rest + search_)};
-        double v = allowed_rest.nearest(rest);
+        const Range& end = stops_.back().after[c];
+        double v = Range{end.low, std::min(end.high, behind(uint32_t(depth_.size()) - 1, c).high)}.nearest(rest_[c]);
         node = count;
         for (size_t s = stops_.size(); s-- > 0;) {
             const Stop& stop = stops_[s];
@@ -174,10 +161,10 @@ void StepCompressor::write(StepNodes& nodes) const {
 
 void StepCompressor::operator()(const StepFunction& steps, float bound, StepNodes& nodes) {
     channels_ = size_t(steps.channels());
-    merge(steps);
+    const bool exact = !(bound > kLeastBound);
+    slack_ = exact ? 0 : kAllowance;
+    merge(steps, exact ? 0 : double(bound) - 2 * kAllowance);
     stops_.clear();
-    search_ = bound > kLeastBound ? double(bound) - 2 * kAllowance : 0;
-    keep_ = bound > kLeastBound ? double(bound) - kAllowance : 0;
     if (depth_.empty()) {
         nodes.depth.clear();
         for (std::vector<float>& value : nodes.value) value.clear();

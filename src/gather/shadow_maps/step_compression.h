@@ -34,7 +34,8 @@ class StepCompressor {
 public:
     /// |V - V'| <= bound everywhere, on both sides of every step and in every channel. V' does not rise and stays in
     /// [0, 1]; the first node is (depth[0], 1) to the bit. Nodes replace what `nodes` held. With a bound below 5e-7
-    /// nothing is lost: every step stays one. Linear time.
+    /// nothing is lost: every step stays one. Linear time. On steps like hair's, 1 to 8 % more nodes than the fewest
+    /// that can stand at depths of steps.
     void operator()(const StepFunction& steps, float bound, StepNodes& nodes);
 
 private:
@@ -53,10 +54,14 @@ private:
         Ranges before, after;
     };
 
-    void merge(const StepFunction& steps);
-    double value(int64_t step, int c) const { return step < 0 ? 1.0 : value_[size_t(step) * channels_ + size_t(c)]; }
-    Range allowed(int64_t step, int c, double bound) const;
-    Range through(uint32_t step, int c, double bound) const;
+    void merge(const StepFunction& steps, double bound);
+
+    /// Allowed behind a step, up to the next; before one; and through one without a drop, which is none where the step
+    /// is higher than twice the bound.
+    const Range& behind(uint32_t step, int c) const { return behind_[size_t(step) * channels_ + size_t(c)]; }
+    const Range& before(uint32_t step, int c) const { return behind(step - 1, c); }
+    Range through(uint32_t step, int c) const { return {before(step, c).low, behind(step, c).high}; }
+
     Range reached(const Range& allowed, int c, double x) const;
     bool joins(uint32_t step, double x, Ranges& ranges) const;
     bool drops(uint32_t step, double x, Ranges& ranges) const;
@@ -68,9 +73,10 @@ private:
     void write(StepNodes& nodes) const;
 
     size_t channels_ = 1;
-    double search_ = 0, keep_ = 0;  // bounds of the way forth and of the way back
-    std::vector<double> depth_;     // one a step of some height
-    std::vector<double> value_;     // behind it; channels side by side
+    double slack_ = 0;           // that the way back has more than the way forth
+    std::vector<double> depth_;  // one a step of some height
+    std::vector<Range> behind_;  // on the way forth; channels side by side
+    double rest_[3] = {};        // V behind all steps
     SlopeLimit flattest_[3], steepest_[3];
     std::vector<Stop> stops_;
 };
