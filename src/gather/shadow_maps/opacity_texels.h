@@ -4,22 +4,32 @@
 // Keyser 2008).
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/math.h"
 #include "core/options.h"
 #include "gather/shadow_maps/hair_fragments.h"
+#include "gather/shadow_maps/texel_rows.h"
 
 namespace tress {
 
-/// Optical depth before layer l of texel i ends: depth[c][i * layers + l]. Layers start at the texel's start and are
-/// equally thick; behind the last the depth stays.
+/// Optical depth before layer l of row r ends: total[c][r] * level[c][r * layers + l] / kFullLevel; 0 where the first
+/// layer starts; behind the last it stays `total`. Levels are rounded: to kOpaqueDepth / 2 / kFullLevel = 4e-4 at most.
+///
+/// Layers of all texels span the same. Planes are at equal distances. Layers that follow the hair grow evenly away from
+/// the light, as 1 : 3 : 5 ..., which the paper leaves to choose: light is lost in the first ones most of all. On
+/// texels of random hair of three kinds (spread evenly, in two shells, thinning out) with 32 of them, the mean error is
+/// 0.5 to 0.97 of that of even ones; with 8, 0.24 to 1.3. As they span all, none of the hair lies behind the last.
 struct OpacityTexels {
+    static constexpr uint16_t kFullLevel = 65535;
     int layers = 0;
-    float thickness = 0;          // of a layer, scene units
-    float start = 0;              // of the first layer of every texel, unless they follow the hair
-    std::vector<float> first;     // of the first hair of each texel, infinity: none; empty: layers are planes
-    std::vector<float> depth[3];  // one channel, the others empty, where no fiber colours light
+    float span = 0;                  // of all layers, scene units
+    float start = 0;                 // of the first layer of every texel, unless they follow the hair
+    TexelRows rows;                  // of the texels
+    std::vector<float> first;        // depth of the first hair, one a row; empty: layers are planes
+    std::vector<float> total[3];     // one a row, at most kOpaqueDepth; one channel where no fiber colours light
+    std::vector<uint16_t> level[3];  // as many channels
 };
 
 /// What layers have to span: depths of the nearest and the farthest hair of the view.
@@ -27,10 +37,16 @@ struct DepthRange {
     float nearest = 0, farthest = 0;
 };
 
+/// Hair outside the range, by rounding or otherwise, counts in the first or the last layer.
 OpacityTexels make_opacity_texels(const FragmentTile& fragments, const OpacityOptions& options,
                                   const DepthRange& range);
+
+/// `tile` must have been made with the same options and range. Onto a default-made `to`, a copy.
 void append(OpacityTexels& to, const OpacityTexels& tile);
+
+/// 1 before the first layer and for a depth that is no number.
 Rgb transmittance(const OpacityTexels& texels, size_t texel, float depth);
+
 size_t bytes(const OpacityTexels& texels);
 
 }  // namespace tress
