@@ -3,8 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <functional>
-
 #include "gather/shadow_maps/cluster_runs.h"
 #include "tests/texel_fragments.h"
 
@@ -268,14 +266,9 @@ TEST_CASE("one channel and three agree where the three are equal") {
     std::vector<TestTexel> fragments = random_texels(29, 10, 50, 0, 1, 0.2f);
     for (TestTexel& texel : fragments)
         for (TestFragment& fragment : texel) fragment.opacity = Rgb(fragment.opacity.x);
+    // To the bit: three times a single precision depth, and a third of that, are exact in double.
     const ClusterTexels one = clusters(tile_of(fragments, 1), 4), three = clusters(tile_of(fragments, 3), 4);
     for (size_t texel = 0; texel < fragments.size(); ++texel)
-        for (float depth = 0; depth < 1.1f; depth += 0.01f) {
-            // A weight that is the mean of three equal ones is rounded in double: means and widths, once more in
-            // single.
-            const Rgb a = transmittance(one, texel, depth), b = transmittance(three, texel, depth);
-            CAPTURE(depth);
-            CHECK(double(a.x) == doctest::Approx(double(b.x)).epsilon(1e-4));
-            CHECK(b == Rgb(b.x));
-        }
+        for (float depth = 0; depth < 1.1f; depth += 0.01f)
+            CHECK(transmittance(one, texel, depth) == transmittance(three, texel, depth));
 }

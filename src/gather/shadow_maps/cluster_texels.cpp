@@ -81,6 +81,17 @@ float share_before(float mean, float half_width, float depth) {
     return share > 0 ? glm::min(share, 1.0f) : 0;
 }
 
+template <int channels>
+Rgb depth_before(const ClusterTexels& texels, uint32_t row, float depth) {
+    const size_t begin = size_t(row) * size_t(texels.clusters);
+    Rgb sum(0);
+    for (size_t k = begin; k < begin + size_t(texels.clusters); ++k) {
+        const float share = share_before(texels.mean[k], texels.half_width[k], depth);
+        for (int channel = 0; channel < channels; ++channel) sum[channel] += share * texels.depth[channel][k];
+    }
+    return sum;
+}
+
 }  // namespace
 
 ClusterTexels make_cluster_texels(const FragmentTile& fragments, const ClusterOptions& options) {
@@ -110,17 +121,9 @@ void append(ClusterTexels& to, const ClusterTexels& tile) {
 Rgb transmittance(const ClusterTexels& texels, size_t texel, float depth) {
     const uint32_t row = texels.rows.row[texel];
     if (row == TexelRows::kNone) return Rgb(1);
-    const bool colored = !texels.depth[1].empty();
-    Rgb sum(0);
-    const size_t begin = size_t(row) * size_t(texels.clusters);
-    for (size_t k = begin; k < begin + size_t(texels.clusters); ++k) {
-        const float share = share_before(texels.mean[k], texels.half_width[k], depth);
-        sum.x += share * texels.depth[0][k];
-        if (!colored) continue;
-        sum.y += share * texels.depth[1][k];
-        sum.z += share * texels.depth[2][k];
-    }
-    return colored ? exp(-sum) : Rgb(std::exp(-sum.x));
+    if (texels.depth[1].empty()) return Rgb(std::exp(-depth_before<1>(texels, row, depth).x));
+    const Rgb sum = depth_before<3>(texels, row, depth);
+    return {std::exp(-sum.x), std::exp(-sum.y), std::exp(-sum.z)};
 }
 
 size_t bytes(const ClusterTexels& texels) {
