@@ -18,8 +18,7 @@
 
 #include "core/builtin_scene.h"
 #include "core/error.h"
-#include "core/rng.h"
-#include "core/sampling.h"
+#include "gather/camera_points.h"
 #include "gather/crossing_light.h"
 #include "gather/direct_light.h"
 #include "gather/gather_rays.h"
@@ -82,35 +81,11 @@ struct Bench {
 };
 
 TilePoints tile_points(const Bench& b, int x0, int y0, uint32_t sample) {
-    RayBuffer rays;
-    std::vector<Sampler> samplers;
     const Camera& camera = b.scene.camera;
-    const CameraFrame frame = camera_frame(camera);
-    for (int y = y0; y < std::min(y0 + kTile, camera.height); ++y)
-        for (int x = x0; x < std::min(x0 + kTile, camera.width); ++x) {
-            const Sampler sampler{hash(b.options.seed, uint64_t(y) * uint64_t(camera.width) + uint64_t(x)), sample};
-            const Vec2 u = sampler.get2(0);
-            rays.add(Vec3(camera.from), camera_direction(frame, camera, x + double(u.x), y + double(u.y)), kInfinity,
-                     {});
-            samplers.push_back(sampler);
-        }
-    const size_t n = rays.size();
-    std::vector<float> t(n, kInfinity), u(n), h(n), polygon_t(n, kInfinity), polygon_u(n), polygon_v(n);
-    std::vector<uint32_t> id(n, kNone), polygon(n, kNone);
-    nearest_segment(b.prepared.hair, rays.for_hair(), {t, id, u, h}, b.options.isa);
-    for (size_t i = 0; i < n; ++i) rays.set_far(i, t[i]);
-    if (!b.prepared.mesh.empty())
-        nearest_triangle(b.prepared.mesh, rays.for_mesh(), {polygon_t, polygon, polygon_u, polygon_v}, b.options.isa);
-    TilePoints tile;
-    for (size_t i = 0; i < n; ++i) {
-        if (polygon[i] == kNone && id[i] == kNone) continue;
-        tile.points.push_back(
-            polygon[i] != kNone
-                ? polygon_point(b.scene, rays.direction(i), {polygon_t[i], polygon[i], polygon_u[i], polygon_v[i]})
-                : fiber_point(b.scene, b.prepared, rays.direction(i), {t[i], id[i], u[i], h[i]}));
-        tile.samplers.push_back(samplers[i]);
-    }
-    return tile;
+    const Tile tile{x0, y0, std::min(x0 + kTile, camera.width), std::min(y0 + kTile, camera.height)};
+    CameraPoints seen;
+    find_camera_points(b.scene, b.prepared, camera_frame(camera), b.options, tile, sample, seen);
+    return {std::move(seen.points), std::move(seen.point_samplers)};
 }
 
 std::vector<TilePoints> all_points(const Bench& b, int spp) {
