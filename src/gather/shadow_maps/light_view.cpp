@@ -2,14 +2,34 @@
 #include "gather/shadow_maps/light_view.h"
 
 namespace tress {
+namespace {
+
+/// A texel coordinate as float, on the same side of both ends of [0, size) as it is in double.
+float texel_coordinate(double value, int size) {
+    constexpr double farthest = 1e30;  // that float should hold; nothing looks there
+    const float rounded = float(glm::clamp(value, -farthest, farthest));
+    return value < size && rounded == float(size) ? std::nextafter(rounded, 0.0f) : rounded;
+}
+
+}  // namespace
 
 ViewPoint project(const LightView& view, const Vec3& point) {
-    const DVec3 from_origin = DVec3(point) - view.origin;
-    const double z = dot(from_origin, DVec3(view.frame.z));
-    const double scale = view.parallel ? 1 : 1 / z;
-    const glm::dvec2 across(dot(from_origin, DVec3(view.frame.x)), dot(from_origin, DVec3(view.frame.y)));
-    const glm::dvec2 at = (across * scale - view.low) / view.texel;
-    return {float(at.x), float(at.y), float(z - view.start), view.parallel || z > 0};
+    const DVec3 p = to_local(view, DVec3(point));
+    if (!view.parallel && !(p.z > 0)) return {};
+    const glm::dvec2 at = (glm::dvec2(p) / (view.parallel ? 1 : p.z) - view.low) / view.texel;
+    return {texel_coordinate(at.x, view.width), texel_coordinate(at.y, view.height), float(p.z - view.start), true};
+}
+
+Vec3 light_direction(const LightView& view, float x, float y) {
+    if (view.parallel) return view.frame.z;
+    const glm::dvec2 at = view.low + glm::dvec2(x, y) * view.texel;
+    const Frame& f = view.frame;
+    return Vec3(normalize(at.x * DVec3(f.x) + at.y * DVec3(f.y) + DVec3(f.z)));
+}
+
+float texel_width(const LightView& view, float depth) {
+    const double side = glm::max(view.texel.x, view.texel.y);
+    return float(view.parallel ? side : side * glm::max(view.start + double(depth), 0.0));
 }
 
 }  // namespace tress

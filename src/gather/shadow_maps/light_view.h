@@ -20,6 +20,12 @@ struct LightView {
     int width = 0, height = 0;    // texels
 };
 
+/// A point in the view's frame, from its origin: in double, since a lamp may be a great many scene sizes away.
+inline DVec3 to_local(const LightView& view, const DVec3& point) {
+    const DVec3 v = point - view.origin;
+    return {dot(v, DVec3(view.frame.x)), dot(v, DVec3(view.frame.y)), dot(v, DVec3(view.frame.z))};
+}
+
 /// Where a point falls: x in [0, width), y in [0, height) inside the view, in texels; depth along z from its plane of
 /// depth 0, scene units.
 struct ViewPoint {
@@ -28,6 +34,7 @@ struct ViewPoint {
 };
 ViewPoint project(const LightView& view, const Vec3& point);
 
+/// Half-open: of two views that share a border one contains it. Rounding to float takes nothing out at the far sides.
 inline bool contains(const LightView& view, const ViewPoint& p) {
     return p.in_front && p.x >= 0 && p.y >= 0 && p.x < float(view.width) && p.y < float(view.height);
 }
@@ -35,7 +42,7 @@ inline bool contains(const LightView& view, const ViewPoint& p) {
 /// Direction of the light through a place of the view, unit; places outside are fine.
 Vec3 light_direction(const LightView& view, float x, float y);
 
-/// Width of a texel across the light at a depth, scene units: the larger of its two sides. Never negative.
+/// Width of a texel at a depth, across the view's z, scene units: the larger of its two sides. Never negative.
 float texel_width(const LightView& view, float depth);
 
 /// Texels are kept tile by tile, each row by row, so that those near one another in the view are so in memory. Tiles at
