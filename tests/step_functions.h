@@ -70,17 +70,14 @@ inline Steps random_steps(uint64_t key, int shape, size_t count, int channels) {
     return steps;
 }
 
-/// V' just before and just behind a depth; `node`: the first that is not before it, or that is behind it.
+/// V' just before a depth, where `node` is the first that is not before it; just behind it, where `node` is the first
+/// that is behind it.
 inline double node_value(const StepNodes& nodes, int c, size_t node, double depth) {
     if (node == 0) return 1;
     if (node == nodes.depth.size()) return nodes.value[c].back();
     const double from = nodes.depth[node - 1], to = nodes.depth[node];
     const double a = nodes.value[c][node - 1], b = nodes.value[c][node];
     return a + (b - a) * ((depth - from) / (to - from));
-}
-inline double value_before(const StepNodes& nodes, int c, double depth) {
-    const size_t node = size_t(std::lower_bound(nodes.depth.begin(), nodes.depth.end(), depth) - nodes.depth.begin());
-    return node_value(nodes, c, node, depth);
 }
 
 /// Greatest |V - V'| of a channel: on both sides of all depths of both functions, and half way between them.
