@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace tress {
 
@@ -170,7 +169,9 @@ void StepCompressor::operator()(const StepFunction& steps, float bound, StepNode
         for (std::vector<float>& value : nodes.value) value.clear();
         return;
     }
-    for (stops_.push_back(first_stop()); !can_rest(stops_.back());) stops_.push_back(next_stop(stops_.back()));
+    stops_.push_back(first_stop());
+    while (stops_.back().step + 1 < depth_.size() && !can_rest(stops_.back()))
+        stops_.push_back(next_stop(stops_.back()));
     write(nodes);
 }
 
