@@ -180,7 +180,7 @@ TEST_CASE("the mean error is at most the light lost in a layer's share of the de
             CAPTURE(follow);
             CAPTURE(layers);
             CAPTURE(error);
-            CHECK(error <= thickest * loss + level_rounding(kOpaqueDepth) / 10);
+            CHECK(error <= thickest * loss + level_rounding(count * std::log(2.0)));  // opacities are below a half
             // With many fragments to a layer their number in part of it wanders as its root, and so does the error:
             // half for four times the layers. With one at most, the error is there in 1 / layers of the range: a
             // quarter. A fifth is left for chance and for layers between the two.
