@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Which hair the eye sees, roughly: what views from lamps are fitted to.
+#pragma once
+
+#include "gather/prepared_scene.h"
+#include "gather/shadow_maps/fit_views.h"
+
+namespace tress {
+
+/// From one camera ray at a hashed place in each cell of a grid over the picture; the same whatever the number of
+/// threads.
+SeenHair find_seen_hair(const Scene& scene, const PreparedScene& prepared, const Options& options);
+
+}  // namespace tress
