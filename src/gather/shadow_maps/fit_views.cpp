@@ -8,7 +8,8 @@
 namespace tress {
 namespace {
 
-constexpr double kWidest = 1.5;  // |x / z|, |y / z| of a single pinhole: texels at its border are 3 times longer
+constexpr double kWidest =
+    1.5;  // |x / z|, |y / z| of a single pinhole: in angle, texels at its border are a third as wide
 constexpr double kSeenShare = 1.0 / 256;  // of all hair's diagonal: what one seen point stands for about itself
 constexpr double kMargin = 0.04;          // about what is seen, of its longer side: seen points are but a sample
 constexpr double kMarginTexels = 2;
@@ -114,7 +115,7 @@ void set_texels(LightView& view, const ViewRectangle& r, int resolution) {
 
 void set_start(LightView& view, double nearest) { view.start = view.parallel ? nearest : glm::max(nearest, 0.0); }
 
-/// One view of all that is wanted, `wanted`.
+/// One view of all that is seen, which fills `seen` of it.
 LampViews one_view(const Fitting& f, const LightView& view, const ViewRectangle& seen) {
     HairWindow window{view, kEverywhere, f.lit_part(view), {}, {}};
     const double texel = longer(seen) / f.resolution;

@@ -9,6 +9,8 @@ namespace {
 
 constexpr size_t kGrain = 8192;  // segments a task: a few milliseconds
 
+bool is_face(const HairWindow& window) { return !window.limits.contains(kEverywhere); }
+
 /// Hair that sticks out of what is wanted. Returns whether some that is lit is left out.
 bool add_outlying(const HairWindow& window, const ViewHair& hair, bool is_lit, HairFound& to) {
     const Projection projection = projection_of(window.view);
@@ -23,8 +25,6 @@ bool add_outlying(const HairWindow& window, const ViewHair& hair, bool is_lit, H
     const ViewRectangle rectangle = cut(rectangle_of(*lit, projection), window.lit);
     return !rectangle.empty() && !window.wanted.contains(rectangle);
 }
-
-bool is_face(const HairWindow& window) { return !window.limits.contains(kEverywhere); }
 
 /// Returns whether some that is lit is left out.
 bool add(const HairWindow& window, ViewHair hair, bool is_lit, HairFound& to) {
@@ -46,8 +46,10 @@ bool add(const HairWindow& window, ViewHair hair, bool is_lit, HairFound& to) {
 /// Whether hair within a ball, lit or not, tells nothing new about a window.
 bool is_known(const HairWindow& window, const HairBall& ball, const HairFound& found, bool left_out) {
     const DVec3 center = to_local(window.view, ball.center);
+    if (is_face(window) && center.z < -ball.radius) return true;
     if (!window.view.parallel && !(center.z > ball.radius)) return false;
     const ViewRectangle rectangle = rectangle_about_ball(center, ball.radius, projection_of(window.view));
+    if (!rectangle.meets(window.limits)) return true;
     if (!rectangle.meets(window.reach)) return left_out;
     return found.hair.contains(rectangle) && center.z - ball.radius >= found.nearest;
 }
