@@ -284,18 +284,61 @@ TEST_CASE("turning hair and lamp together changes the size of texels little") {
     }
 }
 
-TEST_CASE("a pinhole sees less of the hair when less of it is seen by the eye") {
+TEST_CASE("a pinhole sees less of the hair, but for a margin, when less of it is seen by the eye") {
     const Hair hair = tuft();
     SeenHair seen = hair.all();
-    const Vec3 place = hair.segments().start(0);
-    for (const Vec3& p : spread_points(hair.segments(), 2000).position)
-        if (distance(p, place) < 0.3f) seen.points.push_back(p);
+    for (const Vec3& p : spread_points(hair.segments(), 20000).position)
+        if (glm::length(p) < 0.3f) seen.points.push_back(p);
     const PointLight light{{3, 3, 3}};
     const LampViews part = fit(light, hair, seen), whole = fit(light, hair, hair.all());
     REQUIRE(part.views.size() == 1);
     REQUIRE(whole.views.size() == 1);
+    const LightView& view = part.views[0];
     CHECK(!part.complete);
-    CHECK(part.views[0].texel.x < 0.5 * whole.views[0].texel.x);
+    CHECK(view.texel.x < 0.5 * whole.views[0].texel.x);
+    constexpr float margin = 0.03f * kResolution;
+    for (const Vec3& p : seen.points) {
+        const ViewPoint at = project(view, p);
+        CHECK(std::min(at.x, at.y) >= margin);
+        CHECK(at.x <= float(view.width) - margin);
+        CHECK(at.y <= float(view.height) - margin);
+    }
+}
+
+TEST_CASE("hair behind a lone pinhole is said to be left out") {
+    StrandSet strands;
+    strands.constant_radius = kRadius;
+    strands.first = {0, 2, 4};
+    for (const float z : {3.0f, -3.0f})
+        for (const float x : {0.0f, 0.5f}) strands.add_point({x, 0, z});
+    const Hair hair(strands);
+    SeenHair seen = hair.all();
+    seen.points = {{0, 0, 3}, {0.5f, 0, 3}};
+    const LampViews fitted = fit(PointLight{}, hair, seen);
+    CHECK(fitted.views.size() == 1);
+    CHECK(!fitted.complete);
+    CHECK(fit(spot({0, 0, 0}, {0, 0, 1}, 90), hair, seen).complete);  // it is dark behind a spot
+}
+
+TEST_CASE("the very edge of a hair lies in its view, rounded as it may be") {
+    for (uint64_t key = 0; key < 1000; ++key) {
+        const Vec3 a = on_sphere(hash(key, 0)), b = on_sphere(hash(key, 1)), way = on_sphere(hash(key, 2));
+        StrandSet strand;
+        strand.constant_radius = kRadius;
+        strand.first = {0, 2};
+        strand.add_point(a);
+        strand.add_point(b);
+        const Hair hair(strand);
+        const Vec3 across = kRadius * normalize(cross(b - a, way));
+        for (const Light& light : {Light(DistantLight{DVec3(way), Rgb(1)}), Light(PointLight{-1e6 * DVec3(way)})}) {
+            const LampViews fitted = fit(light, hair, hair.all(), 2);
+            CAPTURE(key);
+            for (const Vec3& p : {a + across, a - across, b + across, b - across}) CHECK(containing(fitted, p) == 1);
+            for (const LightView& view : fitted.views)
+                for (const Vec3& side : {view.frame.x, view.frame.y})
+                    for (const float r : {-kRadius, kRadius}) CHECK(containing(fitted, a + r * side) == 1);
+        }
+    }
 }
 
 TEST_CASE("hair in the dark needs no view") {
@@ -312,7 +355,6 @@ TEST_CASE("hair in the dark needs no view") {
             CHECK(fitted.complete);
         }
     }
-    const StrandSet none;
     CHECK(fit(PointLight{{0, 5, 0}}, Hair(StrandSet{}), SeenHair{}).views.empty());
 }
 
