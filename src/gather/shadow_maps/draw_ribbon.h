@@ -1,81 +1,84 @@
 // SPDX-License-Identifier: MIT
-// How much of each texel a ribbon covers. `take(x, y, coverage, z)` is called once for each texel of a rectangle that
-// it covers some of; z is that of the axis, the mean over the texel's part of it.
+// How much of each texel of a tile a ribbon covers. `take(x, y, coverage, depth)` is called once for each texel that it
+// covers some of, counted from the tile's corner; depth is that of the axis, the mean over the texel's part of it.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
 #include "gather/shadow_maps/outline_row.h"
-#include "gather/shadow_maps/ribbon.h"
+#include "gather/shadow_maps/ribbon_piece.h"
 
 namespace tress {
 
-/// The part of a thin ribbon in one column of texels (across its major axis): a parallelogram about (middle, center),
-/// that runs along the column by `rise` from its middle to either side.
+/// The part of a thin ribbon in one column of texels (across its major axis): a parallelogram, whose middle moves along
+/// the column by `rise` to either side. Texels.
 struct RibbonColumn {
-    double length, center, half_width, slope, rise;  // texels; slope >= 0, for which the rows may be mirrored
+    float length, center, half_width, rise;
+    float per_slope;  // 1 / |slope|
 
-    double area() const { return 2 * half_width * length; }
+    float area() const { return 2 * half_width * length; }
 
     /// Its area in rows up to `row`: the mean over the column of how much of the width lies below, times its length.
-    double area_below(double row) const {
-        const double from = row - center + half_width, width = 2 * half_width;
-        // Where the column hardly rises the difference of the integrals would be rounding.
-        constexpr double kFlat = 0x1p-12;
-        if (rise < kFlat * width || rise < kFlat * kFlat) return length * std::clamp(from, 0.0, width);
-        return (clamped_integral(from + rise, width) - clamped_integral(from - rise, width)) / slope;
+    float area_below(float row) const {
+        const float from = row - center + half_width, width = 2 * half_width;
+        // A column that hardly rises: the difference of the integrals, of a texel each, would be rounding.
+        constexpr float kFlat = 0x1p-11f;
+        if (rise < kFlat) return length * std::clamp(from, 0.0f, width);
+        return (clamped_integral(from + rise, width) - clamped_integral(from - rise, width)) * per_slope;
     }
 };
 
-/// A thin ribbon in columns [first, last) of its major axis, of which all lie in the rectangle.
+/// `rows`: texels of the tile along the piece's minor axis that are in the view.
 template <class Take>
-void draw_thin(const LightView& view, const Ribbon& r, const TexelRect& rect, int first, int last, const Take& take) {
-    const int major = r.major, minor = 1 - major;
-    const double start = r.at[0][major], scale = 1 / (r.at[1][major] - start);
-    const double rise = r.at[1][minor] - r.at[0][minor], slope = rise * scale;
-    const double z_slope = (r.z[1] - r.z[0]) * scale;
-    double low = std::max(start, double(first));
-    double z_low = z_at(view, r, (low - start) * scale);
-    for (int i = first; i < last; ++i) {
-        const double high = std::min(r.at[1][major], double(i + 1));
-        const double middle = 0.5 * (low + high), place = (middle - start) * scale;
-        RibbonColumn column;
+void draw_thin(const RibbonPiece& p, int rows, const Take& take) {
+    const float scale = p.high > p.low ? 1 / (p.high - p.low) : 0, limit = float(rows);
+    RibbonColumn column;
+    column.per_slope = 1 / std::abs(p.slope);  // infinity: never asked
+    float low = p.low, depth_low = p.depth;
+    for (int i = int(p.low); float(i) < p.high; ++i) {
+        const float high = std::min(p.high, float(i + 1));
+        const float u = (high - p.low) * scale;
+        const float depth_high = p.depth + p.deepening * u / (p.bend + u * (1 - p.bend));  // 1 / z is linear
+        const float from_start = 0.5f * (low + high) - p.low;
         column.length = high - low;
-        column.center = r.at[0][minor] + place * rise;
-        column.half_width = r.half_width[0] + place * (r.half_width[1] - r.half_width[0]);
-        column.slope = std::abs(slope);
-        column.rise = 0.5 * column.length * column.slope;
-        const double z_high = view.parallel ? z_low + z_slope * column.length : z_at(view, r, (high - start) * scale);
+        column.center = p.center + from_start * p.slope;
+        column.half_width = p.half_width + from_start * p.widening;
+        column.rise = 0.5f * column.length * std::abs(p.slope);
 
-        const double reach = column.rise + column.half_width;
-        const double bottom = std::max(column.center - reach, double(rect.low[minor]));
-        const double top = std::min(column.center + reach, double(rect.high[minor]));
-        if (bottom < top && column.length > 0) {
-            // Where the axis is, row by row: the ribbon rises from end to end of the column.
-            const double z_middle = 0.5 * (z_low + z_high);
-            const double z_per_row = (slope < 0 ? -0.5 : 0.5) * (z_high - z_low) / reach;
-            double below = bottom > column.center - reach ? column.area_below(bottom) : 0;
-            for (int j = int(bottom); j < top; ++j) {
-                const bool whole = column.center + reach <= j + 1;
-                const double up_to = whole ? column.area() : column.area_below(j + 1);
-                const double row_middle = 0.5 * (std::max(bottom, double(j)) + std::min(top, double(j + 1)));
-                const double z = z_middle + (row_middle - column.center) * z_per_row;
-                if (up_to > below) take(major == 0 ? i : j, major == 0 ? j : i, up_to - below, z);
-                below = up_to;
+        const float reach = column.rise + column.half_width;
+        const float bottom = column.center - reach, top = column.center + reach;
+        const float depth_middle = 0.5f * (depth_low + depth_high);
+        const auto put = [&](int j, float coverage, float depth) {
+            if (coverage > 0) p.major == 0 ? take(i, j, coverage, depth) : take(j, i, coverage, depth);
+        };
+        if (top > 0 && bottom < limit) {
+            const int first = int(std::max(bottom, 0.0f));
+            if (bottom >= 0 && top <= float(first + 1)) {
+                put(first, column.area(), depth_middle);
+            } else {
+                // Where the axis is, row by row: the ribbon rises from end to end of the column.
+                const float per_row = (p.slope < 0 ? -0.5f : 0.5f) * (depth_high - depth_low) / reach;
+                float below = bottom < 0 ? column.area_below(0) : 0;
+                for (int j = first; j < rows && float(j) < top; ++j) {
+                    const float up_to = top <= float(j + 1) ? column.area() : column.area_below(float(j + 1));
+                    const float middle = 0.5f * (std::max(bottom, float(j)) + std::min(top, float(j + 1)));
+                    put(j, up_to - below, depth_middle + (middle - column.center) * per_row);
+                    below = up_to;
+                }
             }
         }
-        low = high, z_low = z_high;
+        low = high, depth_low = depth_high;
     }
 }
 
-/// A ribbon of any width, or a dot, in a rectangle: the exact area of the outline in each texel.
+/// A ribbon of any width, or a dot, in texels of the tile whose first is `corner`: the exact area of the outline.
 template <class Take>
-void draw_outline(const LightView& view, const Ribbon& r, const RibbonOutline& outline, const TexelRect& rect,
-                  const Take& take) {
+void draw_outline(const LightView& view, const Ribbon& r, const RibbonOutline& outline, const glm::ivec2& corner,
+                  const TexelRect& rect, const Take& take) {
     const glm::dvec2 axis = r.at[1] - r.at[0];
-    const double per_axis = r.shape == Ribbon::Shape::dot ? 0 : 1 / dot(axis, axis);
-    const double at_dot = r.shape == Ribbon::Shape::dot ? 0.5 : 0;
+    const bool dot_only = r.shape == Ribbon::Shape::dot;
+    const double per_axis = dot_only ? 0 : 1 / dot(axis, axis);
     for (int y = rect.low.y; y < rect.high.y; ++y) {
         const OutlineRow row(outline, y);
         const int last = row.last(rect.high.x);
@@ -83,8 +86,8 @@ void draw_outline(const LightView& view, const Ribbon& r, const RibbonOutline& o
             const double coverage = row.coverage(x);
             if (!(coverage > 0)) continue;
             const glm::dvec2 from_start = glm::dvec2(x + 0.5, y + 0.5) - r.at[0];
-            const double place = at_dot + std::clamp(dot(from_start, axis) * per_axis, 0.0, 1.0);
-            take(x, y, coverage, z_at(view, r, place));
+            const double place = dot_only ? 0.5 : std::clamp(dot(from_start, axis) * per_axis, 0.0, 1.0);
+            take(x - corner.x, y - corner.y, float(coverage), float(z_at(view, r, place) - view.start));
         }
     }
 }

@@ -10,13 +10,12 @@ namespace tress {
 void FragmentSorter::begin(int channels) {
     channels_ = channels;
     added_ = 0;
-    pieces_.clear();
     texels_.assign(kTexels, Texel{1, -kInfinity, kInfinity, 0});
 }
 
-void FragmentSorter::begin_piece(const RibbonPiece& piece, size_t most) {
-    pieces_.push_back(piece);
-    least_stopped_ = channels_ == 1 ? piece.stopped.x : min_component(piece.stopped);
+void FragmentSorter::begin_piece(uint32_t piece, const RibbonPiece& its, size_t most) {
+    piece_ = piece;
+    least_stopped_ = channels_ == 1 ? its.stopped.x : min_component(its.stopped);
     if (added_ + most <= unsorted_.size()) return;
     const size_t size = std::max(2 * unsorted_.size(), added_ + most);
     unsorted_.resize(size), texel_of_.resize(size);
@@ -29,7 +28,7 @@ void FragmentSorter::add(int index, float coverage, float depth) {
     texel.deepest = std::max(texel.deepest, depth);
     if (texel.light < kOpaqueTexel && texel.closed == kInfinity) texel.closed = texel.deepest;
     ++texel.count;
-    unsorted_[added_] = {depth, uint32_t(pieces_.size() - 1), coverage};
+    unsorted_[added_] = {depth, piece_, coverage};
     texel_of_[added_] = uint16_t(index);
     ++added_;
 }
@@ -46,12 +45,12 @@ void FragmentSorter::sort(uint32_t first, uint32_t last) {
         f[to] = fragment;
         moves -= i - to;
         if (moves >= 0) continue;
-        std::sort(f + first, f + last, [this](const Fragment& a, const Fragment& b) { return comes_before(a, b); });
+        std::sort(f + first, f + last, comes_before);
         return;
     }
 }
 
-void FragmentSorter::finish(FragmentTile& tile) {
+void FragmentSorter::finish(std::span<const RibbonPiece> pieces, FragmentTile& tile) {
     if (added_ > 0xffffffffu) throw InputError("shadow map", "more than 2^32 - 1 hair fragments in one tile");
     tile.first.resize(kTexels + 1);
     uint32_t total = 0;
@@ -72,7 +71,7 @@ void FragmentSorter::finish(FragmentTile& tile) {
         std::vector<float>& opacity = tile.opacity[c];
         opacity.resize(c < channels_ ? added_ : 0);
         for (size_t i = 0; i < opacity.size(); ++i)
-            opacity[i] = std::min(sorted_[i].coverage * pieces_[sorted_[i].piece].stopped[c], 1.0f);
+            opacity[i] = std::min(sorted_[i].coverage * pieces[sorted_[i].piece].stopped[c], 1.0f);
     }
 }
 

@@ -3,28 +3,25 @@
 // that is opaque already is not kept. Quick where ribbons come roughly in the order of depth.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "gather/shadow_maps/hair_fragments.h"
+#include "gather/shadow_maps/ribbon_piece.h"
 
 namespace tress {
-
-/// A stretch of one ribbon along which it lets through the same.
-struct RibbonPiece {
-    uint32_t segment;
-    Rgb stopped;  // 1 - a; one channel where no fiber colours light
-};
 
 class FragmentSorter {
 public:
     /// Forgets what was there; `channels` 1 or 3.
     void begin(int channels);
 
-    /// Fragments that are added from here on belong to this piece; at most `most` of them.
-    void begin_piece(const RibbonPiece& piece, size_t most);
+    /// Fragments that are added from here on belong to pieces[piece]; at most `most` of them.
+    void begin_piece(uint32_t piece, const RibbonPiece& its, size_t most);
     void add(int texel, float coverage, float depth);
 
-    void finish(FragmentTile& tile);
+    /// `pieces`: all, in the order of segments.
+    void finish(std::span<const RibbonPiece> pieces, FragmentTile& tile);
 
 private:
     static constexpr int kTexels = kViewTile * kViewTile;
@@ -41,15 +38,15 @@ private:
         uint32_t count;
     };
     void sort(uint32_t first, uint32_t last);
-    bool comes_before(const Fragment& a, const Fragment& b) const {
-        return a.depth != b.depth ? a.depth < b.depth : pieces_[a.piece].segment < pieces_[b.piece].segment;
+    static bool comes_before(const Fragment& a, const Fragment& b) {
+        return a.depth != b.depth ? a.depth < b.depth : a.piece < b.piece;
     }
 
     int channels_ = 1;
-    float least_stopped_ = 0;
+    uint32_t piece_ = 0;
+    float least_stopped_ = 0;  // of any channel, by this piece
     size_t added_ = 0;
     std::vector<Texel> texels_;
-    std::vector<RibbonPiece> pieces_;
     std::vector<Fragment> unsorted_, sorted_;
     std::vector<uint16_t> texel_of_;
 };

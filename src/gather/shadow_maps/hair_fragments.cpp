@@ -14,78 +14,75 @@
 namespace tress {
 namespace {
 
-/// Texels along a ribbon that share one look-up of what it stops: of 90 degrees in 512 texels, the light's direction
-/// changes by 1.5 degrees.
-constexpr int kPieceTexels = 8;
-
 struct Scratch {
-    std::vector<BinnedSegment> roughly_sorted;
-    std::vector<uint32_t> place;
+    std::vector<RibbonPiece> pieces;
+    std::vector<uint32_t> order, place;  // of pieces
     FragmentSorter sorter;
     FragmentTile tile;
 };
-
-/// One pass of a bucket sort: near enough to the order of depth for what follows to be quick.
-void sort_roughly(std::span<const BinnedSegment> binned, Scratch& scratch) {
-    constexpr size_t kBuckets = 2048;
-    float low = kInfinity, high = -kInfinity;
-    for (const BinnedSegment& b : binned) low = std::min(low, b.z), high = std::max(high, b.z);
-    const float scale = high > low ? float(kBuckets - 1) / (high - low) : 0;
-    const auto bucket = [&](const BinnedSegment& b) {
-        const float at = (b.z - low) * scale;
-        return at > 0 ? std::min(size_t(at), kBuckets - 1) : 0;
-    };
-    scratch.place.assign(kBuckets, 0);
-    for (const BinnedSegment& b : binned) ++scratch.place[bucket(b)];
-    uint32_t total = 0;
-    for (uint32_t& p : scratch.place) p = (total += p) - p;
-    scratch.roughly_sorted.resize(binned.size());
-    for (const BinnedSegment& b : binned) scratch.roughly_sorted[scratch.place[bucket(b)]++] = b;
-}
 
 struct Hair {
     const LightView& view;
     const SegmentView& segments;
     const Attenuation& attenuation;
     int channels;
-
-    RibbonPiece piece(const Ribbon& ribbon, uint32_t segment, const glm::dvec2& place) const {
-        const Rgb depth = attenuation.depth(segment, float(abs_sin_theta(view, ribbon, place)));
-        RibbonPiece piece{segment, Rgb(0)};
-        for (int c = 0; c < channels; ++c) piece.stopped[c] = -std::expm1(-depth[c]);
-        return piece;
-    }
 };
 
-void draw(const Hair& hair, const Ribbon& r, uint32_t segment, const TexelRect& rect, FragmentSorter& sorter) {
-    const auto take = [&](int x, int y, double coverage, double z) {
-        sorter.add(y % kViewTile * kViewTile + x % kViewTile, float(coverage), float(z - hair.view.start));
+/// The order in which pieces are drawn. One pass of a bucket sort: near enough to the order of depth for what follows
+/// to be quick.
+void sort_roughly(Scratch& scratch) {
+    constexpr size_t kBuckets = 2048;
+    float low = kInfinity, high = -kInfinity;
+    for (const RibbonPiece& p : scratch.pieces) low = std::min(low, p.depth), high = std::max(high, p.depth);
+    const float scale = high > low ? float(kBuckets - 1) / (high - low) : 0;
+    const auto bucket = [&](const RibbonPiece& p) {
+        const float at = (p.depth - low) * scale;
+        return at > 0 ? size_t(std::min(at, float(kBuckets - 1))) : 0;
     };
-    if (r.shape == Ribbon::Shape::thin) {
-        const int major = r.major;
-        const double from = std::max(r.at[0][major], double(rect.low[major]));
-        const double to = std::min(r.at[1][major], double(rect.high[major]));
-        if (!(from < to)) return;
-        const int last = int(std::ceil(to));
-        for (int first = int(from); first < last; first += kPieceTexels) {
-            const int end = std::min(first + kPieceTexels, last);
-            const double middle = 0.5 * (std::max(from, double(first)) + std::min(to, double(end)));
-            const double u = (middle - r.at[0][major]) / (r.at[1][major] - r.at[0][major]);
-            // A column of a thin ribbon rises by a texel and is half of one wide: three rows at most.
-            sorter.begin_piece(hair.piece(r, segment, r.at[0] + u * (r.at[1] - r.at[0])), 4 * kPieceTexels);
-            draw_thin(hair.view, r, rect, first, end, take);
+    scratch.place.assign(kBuckets, 0);
+    for (const RibbonPiece& p : scratch.pieces) ++scratch.place[bucket(p)];
+    uint32_t total = 0;
+    for (uint32_t& p : scratch.place) p = (total += p) - p;
+    scratch.order.resize(scratch.pieces.size());
+    for (uint32_t i = 0; i < scratch.pieces.size(); ++i) scratch.order[scratch.place[bucket(scratch.pieces[i])]++] = i;
+}
+
+/// Draws a ribbon that is not thin into texels `rect` of the tile that starts there; sets what it stops, at the middle
+/// of what is seen of it in the tile.
+void draw_whole(const Hair& hair, const TexelRect& rect, uint32_t index, RibbonPiece& piece, FragmentSorter& sorter,
+                const auto& take) {
+    const std::optional<Ribbon> ribbon = make_ribbon(hair.view, hair.segments, piece.segment);
+    const RibbonOutline o = outline(hair.view, *ribbon);
+    glm::dvec2 low(rect.high), high(rect.low);
+    for (int k = 0; k < o.corners; ++k) low = min(low, o.corner[size_t(k)]), high = max(high, o.corner[size_t(k)]);
+    low = max(low, glm::dvec2(rect.low)), high = min(high, glm::dvec2(rect.high));
+    piece.stopped =
+        stopped_light(hair.view, *ribbon, piece.segment, hair.attenuation, hair.channels, 0.5 * (low + high));
+    sorter.begin_piece(index, piece, size_t(kViewTile * kViewTile));
+    draw_outline(hair.view, *ribbon, o, rect.low, rect, take);
+}
+
+void draw_tile(const Hair& hair, const TileBins& bins, int tile, Scratch& s) {
+    const glm::ivec2 low(tile % tiles_across(hair.view) * kViewTile, tile / tiles_across(hair.view) * kViewTile);
+    const TexelRect rect{low, min(low + kViewTile, glm::ivec2(hair.view.width, hair.view.height))};
+    s.pieces.clear();
+    for (const TileBins::Name& name : bins.of(tile)) s.pieces.push_back(bins.piece(name));
+    sort_roughly(s);
+    s.sorter.begin(hair.channels);
+    const auto take = [&](int x, int y, float coverage, float depth) {
+        s.sorter.add(y * kViewTile + x, coverage, depth);
+    };
+    for (const uint32_t index : s.order) {
+        RibbonPiece& piece = s.pieces[index];
+        if (piece.shape != uint16_t(Ribbon::Shape::thin)) {
+            draw_whole(hair, rect, index, piece, s.sorter, take);
+            continue;
         }
-        return;
+        // A column of a thin ribbon rises by a texel at most and is half of one wide: three rows, and rounding.
+        s.sorter.begin_piece(index, piece, 4 * (kPieceTexels + 1));
+        draw_thin(piece, rect.high[1 - piece.major] - rect.low[1 - piece.major], take);
     }
-    const RibbonOutline o = outline(hair.view, r);
-    for (int y = rect.low.y; y < rect.high.y; y += kPieceTexels)
-        for (int x = rect.low.x; x < rect.high.x; x += kPieceTexels) {
-            const glm::ivec2 low(x, y);
-            const TexelRect part{low, min(low + kPieceTexels, rect.high)};
-            const glm::dvec2 middle = 0.5 * glm::dvec2(part.low + part.high);
-            sorter.begin_piece(hair.piece(r, segment, middle), size_t(kPieceTexels * kPieceTexels));
-            draw_outline(hair.view, r, o, part, take);
-        }
+    s.sorter.finish(s.pieces, s.tile);
 }
 
 }  // namespace
@@ -101,18 +98,13 @@ bool colors_light(const Attenuation& attenuation) {
 
 void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation,
                   const std::function<void(int tile, FragmentTile& fragments)>& take) {
-    const TileBins bins = bin_segments(view, segments);
-    const Hair hair{view, segments, attenuation, colors_light(attenuation) ? 3 : 1};
+    const int channels = colors_light(attenuation) ? 3 : 1;
+    const Hair hair{view, segments, attenuation, channels};
+    const TileBins bins = bin_pieces(view, segments, attenuation, channels);
     tbb::enumerable_thread_specific<Scratch> scratch;
     tbb::parallel_for(0, tile_count(view), [&](int tile) {
         Scratch& s = scratch.local();
-        const glm::ivec2 low(tile % tiles_across(view) * kViewTile, tile / tiles_across(view) * kViewTile);
-        const TexelRect rect{low, min(low + kViewTile, glm::ivec2(view.width, view.height))};
-        sort_roughly(bins.of(tile), s);
-        s.sorter.begin(hair.channels);
-        for (const BinnedSegment& b : s.roughly_sorted)
-            draw(hair, *make_ribbon(view, segments, b.segment), b.segment, rect, s.sorter);
-        s.sorter.finish(s.tile);
+        draw_tile(hair, bins, tile, s);
         // What waits within `take` must not run another tile on this thread's scratch.
         tbb::this_task_arena::isolate([&] { take(tile, s.tile); });
     });

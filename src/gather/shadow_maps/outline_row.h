@@ -13,9 +13,10 @@
 namespace tress {
 
 /// Integral up to `x` of clamp(x, 0, most).
-inline double clamped_integral(double x, double most) {
-    if (x <= 0) return 0;
-    return x < most ? 0.5 * x * x : most * (x - 0.5 * most);
+template <class T>
+T clamped_integral(T x, T most) {
+    const T within = std::clamp(x, T(0), most);
+    return within * (std::max(x, T(0)) - T(0.5) * within);
 }
 
 class OutlineRow {
@@ -49,7 +50,7 @@ private:
             if (from >= 1) return 1;
             constexpr double kUpright = 0x1p-16;  // narrower: the difference would be rounding
             if (to - from < kUpright) return std::clamp(0.5 * (from + to), 0.0, 1.0);
-            return (clamped_integral(to, 1) - clamped_integral(from, 1)) / (to - from);
+            return (clamped_integral(to, 1.0) - clamped_integral(from, 1.0)) / (to - from);
         }
     };
 

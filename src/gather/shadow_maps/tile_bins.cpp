@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "gather/shadow_maps/ribbon.h"
-
 namespace tress {
 namespace {
 
@@ -14,10 +12,10 @@ namespace {
 /// which the result would then depend; enough for any.
 constexpr size_t kParts = 64;
 
-struct BinnedPart {
-    std::vector<BinnedSegment> binned;
-    std::vector<uint32_t> tile;    // one a binned segment
-    std::vector<uint64_t> placed;  // one a tile: how many of it; then where the next goes
+/// What a part holds beside its pieces.
+struct PartTiles {
+    std::vector<uint32_t> piece, tile;  // one a piece in a tile
+    std::vector<uint64_t> placed;       // one a tile: how many of it; then where the next goes
 };
 
 /// Box [low, high] of texels, as numbers.
@@ -97,43 +95,79 @@ void for_each_tile(const LightView& view, const Ribbon& r, const Take& take) {
     }
 }
 
-void bin_part(const LightView& view, const SegmentView& segments, size_t first, size_t last, BinnedPart& part) {
-    part.placed.assign(size_t(tile_count(view)), 0);
+struct Hair {
+    const LightView& view;
+    const SegmentView& segments;
+    const Attenuation& attenuation;
+    int channels;
+};
+
+/// Calls `take(piece)` for the pieces of a thin ribbon in one tile, cut at columns of texels.
+template <class Take>
+void cut_into_pieces(const Hair& hair, const Ribbon& r, uint32_t segment, const glm::ivec2& corner, const Take& take) {
+    const int major = r.major;
+    const int end = std::min(corner[major] + kViewTile, major == 0 ? hair.view.width : hair.view.height);
+    const double from = std::max(r.at[0][major], double(corner[major]));
+    const double to = std::min(r.at[1][major], double(end));
+    if (!(from < to)) return;
+    for (int first = int(from); first < to; first += kPieceTexels) {
+        const double low = std::max(from, double(first)), high = std::min(to, double(first + kPieceTexels));
+        RibbonPiece piece = cut_thin(hair.view, r, low, high, corner);
+        const double u = (0.5 * (low + high) - r.at[0][major]) / (r.at[1][major] - r.at[0][major]);
+        const glm::dvec2 middle = r.at[0] + u * (r.at[1] - r.at[0]);
+        piece.segment = segment;
+        piece.stopped = stopped_light(hair.view, r, segment, hair.attenuation, hair.channels, middle);
+        take(piece);
+    }
+}
+
+void bin_part(const Hair& hair, size_t first, size_t last, std::vector<RibbonPiece>& pieces, PartTiles& tiles) {
+    tiles.placed.assign(size_t(tile_count(hair.view)), 0);
     for (size_t s = first; s < last; ++s) {
-        const std::optional<Ribbon> ribbon = make_ribbon(view, segments, uint32_t(s));
+        const std::optional<Ribbon> ribbon = make_ribbon(hair.view, hair.segments, uint32_t(s));
         if (!ribbon) continue;
-        const float z = float(z_at(view, *ribbon, 0.5));
-        for_each_tile(view, *ribbon, [&](int x, int y) {
-            const uint32_t tile = uint32_t(y * tiles_across(view) + x);
-            part.binned.push_back({uint32_t(s), z});
-            part.tile.push_back(tile);
-            ++part.placed[tile];
+        const bool thin = ribbon->shape == Ribbon::Shape::thin;
+        if (!thin) pieces.push_back(whole_piece(hair.view, *ribbon, uint32_t(s)));
+        for_each_tile(hair.view, *ribbon, [&](int x, int y) {
+            const auto add = [&, tile = uint32_t(y * tiles_across(hair.view) + x)] {
+                tiles.piece.push_back(uint32_t(pieces.size() - 1));
+                tiles.tile.push_back(tile);
+                ++tiles.placed[tile];
+            };
+            if (!thin) return add();
+            cut_into_pieces(hair, *ribbon, uint32_t(s), glm::ivec2(x, y) * kViewTile, [&](const RibbonPiece& piece) {
+                pieces.push_back(piece);
+                add();
+            });
         });
     }
 }
 
 }  // namespace
 
-TileBins bin_segments(const LightView& view, const SegmentView& segments) {
-    std::vector<BinnedPart> parts(kParts);
-    tbb::parallel_for(size_t(0), kParts, [&](size_t k) {
-        bin_part(view, segments, segments.size() * k / kParts, segments.size() * (k + 1) / kParts, parts[k]);
-    });
+TileBins bin_pieces(const LightView& view, const SegmentView& segments, const Attenuation& attenuation, int channels) {
     TileBins bins;
+    bins.part.resize(kParts);
+    std::vector<PartTiles> parts(kParts);
+    const Hair hair{view, segments, attenuation, channels};
+    tbb::parallel_for(size_t(0), kParts, [&](size_t k) {
+        bin_part(hair, segments.size() * k / kParts, segments.size() * (k + 1) / kParts, bins.part[k], parts[k]);
+    });
     uint64_t total = 0;
     for (size_t tile = 0; tile < size_t(tile_count(view)); ++tile) {
         bins.first.push_back(total);
-        for (BinnedPart& part : parts) {
+        for (PartTiles& part : parts) {
             const uint64_t count = part.placed[tile];
             part.placed[tile] = total;
             total += count;
         }
     }
     bins.first.push_back(total);
-    bins.binned.resize(total);
+    bins.name.resize(total);
     tbb::parallel_for(size_t(0), kParts, [&](size_t k) {
-        BinnedPart& part = parts[k];
-        for (size_t i = 0; i < part.binned.size(); ++i) bins.binned[part.placed[part.tile[i]]++] = part.binned[i];
+        PartTiles& part = parts[k];
+        for (size_t i = 0; i < part.tile.size(); ++i)
+            bins.name[part.placed[part.tile[i]]++] = {uint32_t(k), part.piece[i]};
         part = {};
     });
     return bins;

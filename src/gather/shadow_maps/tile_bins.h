@@ -1,32 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Which segments may cover texels of which tile of a view.
+// Ribbons of hair cut into pieces, and which of them are in which tile of a view.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "core/segments.h"
-#include "gather/shadow_maps/light_view.h"
+#include "gather/shadow_maps/ribbon_piece.h"
 
 namespace tress {
 
-/// A segment in a tile.
-struct BinnedSegment {
-    uint32_t segment;
-    float z;  // of the middle of its axis, roughly
-};
-
-/// Tile t holds binned[first[t]] .. binned[first[t + 1] - 1], in the order of segments.
+/// Pieces are made in parts, each of consecutive segments. A ribbon that is not thin is one piece for
+/// all tiles, without what it stops.
 struct TileBins {
-    std::vector<uint64_t> first;
-    std::vector<BinnedSegment> binned;
+    struct Name {
+        uint32_t part, index;
+    };
+    std::vector<std::vector<RibbonPiece>> part;
+    std::vector<uint64_t> first;  // tile t holds name[first[t]] .. name[first[t + 1] - 1], in the order of segments
+    std::vector<Name> name;
 
-    std::span<const BinnedSegment> of(int tile) const {
-        return std::span(binned).subspan(first[size_t(tile)], first[size_t(tile) + 1] - first[size_t(tile)]);
+    std::span<const Name> of(int tile) const {
+        return std::span(name).subspan(first[size_t(tile)], first[size_t(tile) + 1] - first[size_t(tile)]);
     }
+    const RibbonPiece& piece(const Name& n) const { return part[n.part][n.index]; }
 };
 
-/// In parallel; the same for any number of threads.
-TileBins bin_segments(const LightView& view, const SegmentView& segments);
+/// `channels`: of light, 1 or 3. In parallel; the same for any number of threads.
+TileBins bin_pieces(const LightView& view, const SegmentView& segments, const Attenuation& attenuation, int channels);
 
 }  // namespace tress
