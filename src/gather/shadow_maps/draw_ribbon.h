@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How much of each texel of a tile a ribbon covers. `take(x, y, coverage, depth)` is called once for each texel that it
-// covers some of, counted from the tile's corner; depth is that of the axis, the mean over the texel's part of it.
+// How much of each texel of a tile a ribbon covers. `take(texel, coverage, depth)` is called once for each texel that
+// it covers some of, counted row by row from the tile's corner; depth is that of the axis, the mean over the texel's
+// part of it.
 #pragma once
 
 #include <algorithm>
@@ -33,6 +34,7 @@ struct RibbonColumn {
 template <class Take>
 void draw_thin(const RibbonPiece& p, int rows, const Take& take) {
     const float scale = p.high > p.low ? 1 / (p.high - p.low) : 0, limit = float(rows);
+    const int across = p.major == 0 ? 1 : kViewTile, along = p.major == 0 ? kViewTile : 1;
     RibbonColumn column;
     column.per_slope = 1 / std::abs(p.slope);  // infinity: never asked
     float low = p.low, depth_low = p.depth;
@@ -50,7 +52,7 @@ void draw_thin(const RibbonPiece& p, int rows, const Take& take) {
         const float bottom = column.center - reach, top = column.center + reach;
         const float depth_middle = 0.5f * (depth_low + depth_high);
         const auto put = [&](int j, float coverage, float depth) {
-            if (coverage > 0) p.major == 0 ? take(i, j, coverage, depth) : take(j, i, coverage, depth);
+            if (coverage > 0) take(i * across + j * along, coverage, depth);
         };
         if (top > 0 && bottom < limit) {
             const int first = int(std::max(bottom, 0.0f));
@@ -87,7 +89,7 @@ void draw_outline(const LightView& view, const Ribbon& r, const RibbonOutline& o
             if (!(coverage > 0)) continue;
             const glm::dvec2 from_start = glm::dvec2(x + 0.5, y + 0.5) - r.at[0];
             const double place = dot_only ? 0.5 : std::clamp(dot(from_start, axis) * per_axis, 0.0, 1.0);
-            take(x - corner.x, y - corner.y, float(coverage), float(z_at(view, r, place) - view.start));
+            take((y - corner.y) * kViewTile + x - corner.x, float(coverage), float(z_at(view, r, place) - view.start));
         }
     }
 }

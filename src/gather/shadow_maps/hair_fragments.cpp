@@ -33,10 +33,11 @@ struct Hair {
 void sort_roughly(Scratch& scratch) {
     constexpr size_t kBuckets = 2048;
     float low = kInfinity, high = -kInfinity;
-    for (const RibbonPiece& p : scratch.pieces) low = std::min(low, p.depth), high = std::max(high, p.depth);
+    for (const RibbonPiece& p : scratch.pieces)
+        low = std::min(low, middle_depth(p)), high = std::max(high, middle_depth(p));
     const float scale = high > low ? float(kBuckets - 1) / (high - low) : 0;
     const auto bucket = [&](const RibbonPiece& p) {
-        const float at = (p.depth - low) * scale;
+        const float at = (middle_depth(p) - low) * scale;
         return at > 0 ? size_t(std::min(at, float(kBuckets - 1))) : 0;
     };
     scratch.place.assign(kBuckets, 0);
@@ -58,7 +59,7 @@ void draw_whole(const Hair& hair, const TexelRect& rect, uint32_t index, RibbonP
     low = max(low, glm::dvec2(rect.low)), high = min(high, glm::dvec2(rect.high));
     piece.stopped =
         stopped_light(hair.view, *ribbon, piece.segment, hair.attenuation, hair.channels, 0.5 * (low + high));
-    sorter.begin_piece(index, piece, size_t(kViewTile * kViewTile));
+    sorter.begin_piece(index, piece.stopped, size_t(kViewTile * kViewTile));
     draw_outline(hair.view, *ribbon, o, rect.low, rect, take);
 }
 
@@ -68,10 +69,8 @@ void draw_tile(const Hair& hair, const TileBins& bins, int tile, Scratch& s) {
     s.pieces.clear();
     for (const TileBins::Name& name : bins.of(tile)) s.pieces.push_back(bins.piece(name));
     sort_roughly(s);
-    s.sorter.begin(hair.channels);
-    const auto take = [&](int x, int y, float coverage, float depth) {
-        s.sorter.add(y * kViewTile + x, coverage, depth);
-    };
+    s.sorter.begin(hair.channels, s.pieces.size());
+    const auto take = [&](int texel, float coverage, float depth) { s.sorter.add(texel, coverage, depth); };
     for (const uint32_t index : s.order) {
         RibbonPiece& piece = s.pieces[index];
         if (piece.shape != uint16_t(Ribbon::Shape::thin)) {
@@ -79,10 +78,10 @@ void draw_tile(const Hair& hair, const TileBins& bins, int tile, Scratch& s) {
             continue;
         }
         // A column of a thin ribbon rises by a texel at most and is half of one wide: three rows, and rounding.
-        s.sorter.begin_piece(index, piece, 4 * (kPieceTexels + 1));
+        s.sorter.begin_piece(index, piece.stopped, 4 * (kPieceTexels + 1));
         draw_thin(piece, rect.high[1 - piece.major] - rect.low[1 - piece.major], take);
     }
-    s.sorter.finish(s.pieces, s.tile);
+    s.sorter.finish(s.tile);
 }
 
 }  // namespace

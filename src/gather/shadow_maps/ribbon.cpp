@@ -39,9 +39,10 @@ bool clip(Ribbon& r, double near) {
 bool is_dot(const LightView& view, const Ribbon& r, const DVec3& axis, double largest) {
     const DVec3 middle = 0.5 * (r.end[0] + r.end[1]);
     const DVec3 light = view.parallel ? DVec3(0, 0, 1) : middle;
-    const double across = length(cross(axis, light)) / length(light);
+    const DVec3 across = cross(axis, light);
     constexpr double kUlp = 0x1p-23;
-    return !(across > std::max(kParallel * length(axis), kUlp * largest));
+    const double least = std::max(square(kParallel) * dot(axis, axis), square(kUlp * largest));
+    return !(dot(across, across) > least * dot(light, light));
 }
 
 /// Half widths along the minor axis. A ray d touches the ribbon where |d . n| = r |d x axis|, n = axis x end; on the

@@ -32,7 +32,7 @@ Rgb stopped_light(const LightView& view, const Ribbon& ribbon, uint32_t segment,
                   int channels, const glm::dvec2& place) {
     const Rgb depth = attenuation.depth(segment, float(abs_sin_theta(view, ribbon, place)));
     Rgb stopped(0);
-    for (int c = 0; c < channels; ++c) stopped[c] = -std::expm1(-depth[c]);
+    for (int c = 0; c < channels; ++c) stopped[c] = 1 - std::exp(-depth[c]);
     return stopped;
 }
 

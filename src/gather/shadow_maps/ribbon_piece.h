@@ -24,6 +24,8 @@ struct RibbonPiece {
     Rgb stopped;                 // 1 - a; one channel where no fiber colours light
 };
 
+inline float middle_depth(const RibbonPiece& piece) { return piece.depth + 0.5f * piece.deepening; }
+
 /// The part of a thin ribbon between two places of its major axis (view's texels, within its ends), in the tile whose
 /// first texel is `corner`.
 RibbonPiece cut_thin(const LightView& view, const Ribbon& ribbon, double from, double to, const glm::ivec2& corner);

@@ -123,6 +123,8 @@ void cut_into_pieces(const Hair& hair, const Ribbon& r, uint32_t segment, const 
 
 void bin_part(const Hair& hair, size_t first, size_t last, std::vector<RibbonPiece>& pieces, PartTiles& tiles) {
     tiles.placed.assign(size_t(tile_count(hair.view)), 0);
+    const size_t likely = (last - first) * 3 / 2;  // where segments are a few texels long and all are seen
+    pieces.reserve(likely), tiles.piece.reserve(likely), tiles.tile.reserve(likely);
     for (size_t s = first; s < last; ++s) {
         const std::optional<Ribbon> ribbon = make_ribbon(hair.view, hair.segments, uint32_t(s));
         if (!ribbon) continue;
