@@ -103,9 +103,12 @@ TEST_CASE("what fragments leave of the light is on average what rays through the
     const Hair hair = volume(25000, 0.002f, 41);
     const KdTree tree = build_segment_tree(hair.view(), AccelOptions{});
     const Attenuation attenuation = inclined_attenuation(Rgb(0.5f));
-    for (const bool parallel : {true, false}) {
-        CAPTURE(parallel);
-        LightView view = volume_view(parallel, kViewSize);
+    LightView among = volume_view(false, kViewSize);  // a lamp among the hair: 90 degrees, seen from the middle
+    among.origin = DVec3(0), among.start = 0;
+    among.low = glm::dvec2(-1), among.texel = glm::dvec2(2.0 / kViewSize);
+    for (const LightView& view : {volume_view(true, kViewSize), volume_view(false, kViewSize), among}) {
+        CAPTURE(view.parallel);
+        CAPTURE(view.start);
         const ViewFragments all = project_all(view, hair.view(), attenuation);
         const std::vector<double> rays = ray_means(view, tree, attenuation);
         std::vector<double> block(square(kViewSize / kBlock), 0.0);
