@@ -21,13 +21,6 @@ struct Scratch {
     FragmentTile tile;
 };
 
-struct Hair {
-    const LightView& view;
-    const SegmentView& segments;
-    const Attenuation& attenuation;
-    int channels;
-};
-
 /// The order in which pieces are drawn. One pass of a bucket sort: near enough to the order of depth for what follows
 /// to be quick.
 void sort_roughly(Scratch& scratch) {
@@ -50,20 +43,19 @@ void sort_roughly(Scratch& scratch) {
 
 /// Draws a ribbon that is not thin into texels `rect` of the tile that starts there; sets what it stops, at the middle
 /// of what is seen of it in the tile.
-void draw_whole(const Hair& hair, const TexelRect& rect, uint32_t index, RibbonPiece& piece, FragmentSorter& sorter,
-                const auto& take) {
+void draw_whole(const HairInView& hair, const TexelRect& rect, uint32_t index, RibbonPiece& piece,
+                FragmentSorter& sorter, const auto& take) {
     const std::optional<Ribbon> ribbon = make_ribbon(hair.view, hair.segments, piece.segment);
     const RibbonOutline o = outline(hair.view, *ribbon);
     glm::dvec2 low(rect.high), high(rect.low);
     for (int k = 0; k < o.corners; ++k) low = min(low, o.corner[size_t(k)]), high = max(high, o.corner[size_t(k)]);
     low = max(low, glm::dvec2(rect.low)), high = min(high, glm::dvec2(rect.high));
-    piece.stopped =
-        stopped_light(hair.view, *ribbon, piece.segment, hair.attenuation, hair.channels, 0.5 * (low + high));
+    piece.stopped = stopped_light(hair, *ribbon, piece.segment, 0.5 * (low + high));
     sorter.begin_piece(index, piece.stopped, size_t(kViewTile * kViewTile));
     draw_outline(hair.view, *ribbon, o, rect.low, rect, take);
 }
 
-void draw_tile(const Hair& hair, const TileBins& bins, int tile, Scratch& s) {
+void draw_tile(const HairInView& hair, const TileBins& bins, int tile, Scratch& s) {
     const glm::ivec2 low(tile % tiles_across(hair.view) * kViewTile, tile / tiles_across(hair.view) * kViewTile);
     const TexelRect rect{low, min(low + kViewTile, glm::ivec2(hair.view.width, hair.view.height))};
     s.pieces.clear();
@@ -97,9 +89,8 @@ bool colors_light(const Attenuation& attenuation) {
 
 void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation,
                   const std::function<void(int tile, FragmentTile& fragments)>& take) {
-    const int channels = colors_light(attenuation) ? 3 : 1;
-    const Hair hair{view, segments, attenuation, channels};
-    const TileBins bins = bin_pieces(view, segments, attenuation, channels);
+    const HairInView hair{view, segments, attenuation, colors_light(attenuation) ? 3 : 1};
+    const TileBins bins = bin_pieces(hair);
     tbb::enumerable_thread_specific<Scratch> scratch;
     tbb::parallel_for(0, tile_count(view), [&](int tile) {
         Scratch& s = scratch.local();

@@ -28,7 +28,8 @@ bool colors_light(const Attenuation& attenuation);
 inline constexpr float kOpaqueTexel = 1e-4f;
 
 /// Calls `take(tile, fragments)` once for every tile of the view, in parallel and in any order; `tile` counts as
-/// texel_index does. The fragments are the same whatever the number of threads; `take` may keep or change them.
+/// texel_index does. The fragments are the same whatever the number of threads; `take` may keep or change them. Left
+/// out is hair nearer to a pinhole along z than its own width.
 void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation,
                   const std::function<void(int tile, FragmentTile& fragments)>& take);
 

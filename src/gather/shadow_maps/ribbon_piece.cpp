@@ -28,11 +28,10 @@ RibbonPiece whole_piece(const LightView& view, const Ribbon& ribbon, uint32_t se
     return p;
 }
 
-Rgb stopped_light(const LightView& view, const Ribbon& ribbon, uint32_t segment, const Attenuation& attenuation,
-                  int channels, const glm::dvec2& place) {
-    const Rgb depth = attenuation.depth(segment, float(abs_sin_theta(view, ribbon, place)));
+Rgb stopped_light(const HairInView& hair, const Ribbon& ribbon, uint32_t segment, const glm::dvec2& place) {
+    const Rgb depth = hair.attenuation.depth(segment, float(abs_sin_theta(hair.view, ribbon, place)));
     Rgb stopped(0);
-    for (int c = 0; c < channels; ++c) stopped[c] = 1 - std::exp(-depth[c]);
+    for (int c = 0; c < hair.channels; ++c) stopped[c] = 1 - std::exp(-depth[c]);
     return stopped;
 }
 

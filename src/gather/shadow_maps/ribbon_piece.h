@@ -7,6 +7,14 @@
 
 namespace tress {
 
+/// What is projected, and how.
+struct HairInView {
+    const LightView& view;
+    const SegmentView& segments;
+    const Attenuation& attenuation;
+    int channels;  // of light: 1 where no fiber colours it, else 3
+};
+
 /// Texels along a thin ribbon that share one look-up of what it stops: of 90 degrees in 512 texels, the light's
 /// direction changes by 1.5 degrees.
 inline constexpr int kPieceTexels = 8;
@@ -33,8 +41,7 @@ RibbonPiece cut_thin(const LightView& view, const Ribbon& ribbon, double from, d
 /// A ribbon that is not thin; what it stops is not set.
 RibbonPiece whole_piece(const LightView& view, const Ribbon& ribbon, uint32_t segment);
 
-/// What `channels` of the light (1 or 3) a fiber stops, of light through a place of the view.
-Rgb stopped_light(const LightView& view, const Ribbon& ribbon, uint32_t segment, const Attenuation& attenuation,
-                  int channels, const glm::dvec2& place);
+/// What a fiber stops of the light through a place of the view, texels; channels that are not asked for are 0.
+Rgb stopped_light(const HairInView& hair, const Ribbon& ribbon, uint32_t segment, const glm::dvec2& place);
 
 }  // namespace tress

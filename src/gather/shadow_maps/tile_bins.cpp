@@ -95,16 +95,10 @@ void for_each_tile(const LightView& view, const Ribbon& r, const Take& take) {
     }
 }
 
-struct Hair {
-    const LightView& view;
-    const SegmentView& segments;
-    const Attenuation& attenuation;
-    int channels;
-};
-
 /// Calls `take(piece)` for the pieces of a thin ribbon in one tile, cut at columns of texels.
 template <class Take>
-void cut_into_pieces(const Hair& hair, const Ribbon& r, uint32_t segment, const glm::ivec2& corner, const Take& take) {
+void cut_into_pieces(const HairInView& hair, const Ribbon& r, uint32_t segment, const glm::ivec2& corner,
+                     const Take& take) {
     const int major = r.major;
     const int end = std::min(corner[major] + kViewTile, major == 0 ? hair.view.width : hair.view.height);
     const double from = std::max(r.at[0][major], double(corner[major]));
@@ -116,12 +110,12 @@ void cut_into_pieces(const Hair& hair, const Ribbon& r, uint32_t segment, const 
         const double u = (0.5 * (low + high) - r.at[0][major]) / (r.at[1][major] - r.at[0][major]);
         const glm::dvec2 middle = r.at[0] + u * (r.at[1] - r.at[0]);
         piece.segment = segment;
-        piece.stopped = stopped_light(hair.view, r, segment, hair.attenuation, hair.channels, middle);
+        piece.stopped = stopped_light(hair, r, segment, middle);
         take(piece);
     }
 }
 
-void bin_part(const Hair& hair, size_t first, size_t last, std::vector<RibbonPiece>& pieces, PartTiles& tiles) {
+void bin_part(const HairInView& hair, size_t first, size_t last, std::vector<RibbonPiece>& pieces, PartTiles& tiles) {
     tiles.placed.assign(size_t(tile_count(hair.view)), 0);
     const size_t likely = (last - first) * 3 / 2;  // where segments are a few texels long and all are seen
     pieces.reserve(likely), tiles.piece.reserve(likely), tiles.tile.reserve(likely);
@@ -147,16 +141,16 @@ void bin_part(const Hair& hair, size_t first, size_t last, std::vector<RibbonPie
 
 }  // namespace
 
-TileBins bin_pieces(const LightView& view, const SegmentView& segments, const Attenuation& attenuation, int channels) {
+TileBins bin_pieces(const HairInView& hair) {
     TileBins bins;
     bins.part.resize(kParts);
+    const size_t segments = hair.segments.size();
     std::vector<PartTiles> parts(kParts);
-    const Hair hair{view, segments, attenuation, channels};
     tbb::parallel_for(size_t(0), kParts, [&](size_t k) {
-        bin_part(hair, segments.size() * k / kParts, segments.size() * (k + 1) / kParts, bins.part[k], parts[k]);
+        bin_part(hair, segments * k / kParts, segments * (k + 1) / kParts, bins.part[k], parts[k]);
     });
     uint64_t total = 0;
-    for (size_t tile = 0; tile < size_t(tile_count(view)); ++tile) {
+    for (size_t tile = 0; tile < size_t(tile_count(hair.view)); ++tile) {
         bins.first.push_back(total);
         for (PartTiles& part : parts) {
             const uint64_t count = part.placed[tile];

@@ -25,7 +25,7 @@ struct TileBins {
     const RibbonPiece& piece(const Name& n) const { return part[n.part][n.index]; }
 };
 
-/// `channels`: of light, 1 or 3. In parallel; the same for any number of threads.
-TileBins bin_pieces(const LightView& view, const SegmentView& segments, const Attenuation& attenuation, int channels);
+/// In parallel; the same for any number of threads.
+TileBins bin_pieces(const HairInView& hair);
 
 }  // namespace tress
