@@ -306,12 +306,8 @@ TEST_CASE("a pinhole sees less of the hair, but for a margin, when less of it is
 }
 
 TEST_CASE("hair behind a lone pinhole is said to be left out") {
-    StrandSet strands;
-    strands.constant_radius = kRadius;
-    strands.first = {0, 2, 4};
-    for (const float z : {3.0f, -3.0f})
-        for (const float x : {0.0f, 0.5f}) strands.add_point({x, 0, z});
-    const Hair hair(strands);
+    const auto at = [](float x) { return [=](uint64_t key) { return Vec3(x, 0, key == hash(7, 0) ? 3 : -3); }; };
+    const Hair hair(strands_between(2, at(0), at(0.5f)));  // one before it, one behind
     SeenHair seen = hair.all();
     seen.points = {{0, 0, 3}, {0.5f, 0, 3}};
     const LampViews fitted = fit(PointLight{}, hair, seen);
