@@ -116,7 +116,7 @@ Estimate estimate(const Scene& scene, const PreparedScene& prepared, const Shadi
     make_gather_rays(scene, prepared, options, points, samplers, rays);
     std::vector<Rgb> radiance(count, Rgb(0));
     CrossingLight light;
-    light(scene, prepared, options, lamps, rays, radiance);
+    light(scene, prepared, options, lamps, nullptr, rays, radiance);
     Estimate e;
     DVec3 squares(0);
     for (const Rgb& r : radiance) e.mean += DVec3(r) / double(count), squares += DVec3(r) * DVec3(r) / double(count);

@@ -178,11 +178,11 @@ public:
         });
         r.type3 = over(tiles_.size(), [&](Scratch& s, size_t k) {
             s.radiance.assign(tiles_[k].points.size(), Rgb(0));
-            s.crossing_light(b_.scene, b_.prepared, b_.options, b_.plan.lamps, kept_[k], s.radiance);
+            s.crossing_light(b_.scene, b_.prepared, b_.options, b_.plan.lamps, nullptr, kept_[k], s.radiance);
         });
         r.type1 = over(tiles_.size(), [&](Scratch& s, size_t k) {
             s.radiance.assign(tiles_[k].points.size(), Rgb(0));
-            s.direct(b_.scene, b_.prepared, b_.options, b_.plan.lamps, tiles_[k].points, tiles_[k].samplers,
+            s.direct(b_.scene, b_.prepared, b_.options, b_.plan.lamps, nullptr, tiles_[k].points, tiles_[k].samplers,
                      s.radiance);
         });
         return r;

@@ -62,10 +62,11 @@ struct ViewFragments {
         return n;
     }
 };
+inline constexpr float kOpaque = 1e-4f;
 inline ViewFragments project_all(const LightView& view, const SegmentView& segments, const Attenuation& attenuation) {
     ViewFragments all;
     all.tiles.resize(size_t(tile_count(view)));
-    project_hair(view, segments, attenuation,
+    project_hair(view, segments, attenuation, kOpaque,
                  [&](int tile, FragmentTile& fragments) { all.tiles[size_t(tile)] = fragments; });
     return all;
 }

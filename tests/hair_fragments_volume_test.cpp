@@ -225,7 +225,7 @@ TEST_CASE("what is left out behind an opaque texel changes the light nowhere by 
                     for (; k < own.last && own.tile.depth[k] <= layer.depth; ++k)
                         light *= 1 - double(own.tile.opacity[0][k]);
                     // Layers at one depth may be in another order than here: pieces are those of one tile.
-                    if (std::abs(light - all_light) > double(kOpaqueTexel) + 1e-6) {
+                    if (std::abs(light - all_light) > double(kOpaque) + 1e-6) {
                         CAPTURE(x);
                         CAPTURE(y);
                         CHECK(light == all_light);

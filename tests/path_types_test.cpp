@@ -120,7 +120,7 @@ TEST_CASE("types 1 and 2 without polygons are what shadow rays to lamps and sky 
             samplers.push_back({hash(2, i), 0});
         }
         std::vector<Rgb> light(kSamples, Rgb(0));
-        DirectLight()(scene, view.prepared, view.options, type == 0 ? view.plan.lamps : view.plan.environments, points,
+        DirectLight()(scene, view.prepared, view.options, type == 0 ? view.plan.lamps : view.plan.environments, nullptr, points,
                       samplers, light);
         Mean direct;
         for (const Rgb& one : light) direct.add(double(luminance(one)));

@@ -56,6 +56,7 @@ public:
         list_lights();
         list_types_with_light();
         list_attenuation();
+        list_shadow_maps();
         list_photons();
         list_loop();
         return std::move(plan_);
@@ -150,6 +151,25 @@ private:
                plan_.attenuation ? "every strand has its fiber's colour" : "no table asks for them");
     }
 
+    void list_shadow_maps() {
+        plan_.direct = by(wanted_.by_ray, PathType::type1);
+        plan_.crossing_gather = by(wanted_.by_ray, PathType::type3);
+        if (plan_.direct && plan_.hair_tree) plan_.lamp_maps = map_kind(options_.type1);
+        if (plan_.crossing_gather) plan_.crossing_maps = map_kind(options_.type3);
+        for (int kind = 0; kind < kMapKinds; ++kind) {
+            TypeSet types{};
+            types[index_of(PathType::type1)] = plan_.lamp_maps == MapKind(kind);
+            types[index_of(PathType::type3)] = plan_.crossing_maps == MapKind(kind);
+            decide(stage::kShadowMaps[kind], plan_.shadow_maps(MapKind(kind)),
+                   counted(plan_.lamps.size(), "lamp") + ", for " + type_list(types), "no type asks for them");
+        }
+    }
+
+    /// "shadow rays" or the name of the maps.
+    static std::string asked(const std::optional<MapKind>& maps) {
+        return maps ? stage::kShadowMaps[int(*maps)] : "shadow rays";
+    }
+
     /// Empty: type 2 reads it.
     std::string why_no_photon_map() const {
         if (!wanted_.by_ray[index_of(PathType::type2)]) return "no type reads it";
@@ -172,13 +192,10 @@ private:
 
     void list_loop() {
         build(stage::kCameraRays, "the picture");
-        plan_.direct = by(wanted_.by_ray, PathType::type1);
         plan_.sky = by(wanted_.by_ray, PathType::type2) && !plan_.environments.empty();
-        plan_.crossing_gather = by(wanted_.by_ray, PathType::type3);
         for (int t = 0; t < kPathTypes; ++t) plan_.paths[t] = by(wanted_.by_path, PathType(t));
 
-        if (plan_.direct)
-            build(stage::kType1, counted(plan_.lamps.size(), "lamp") + ", by shadow rays through the hair");
+        if (plan_.direct) build(stage::kType1, counted(plan_.lamps.size(), "lamp") + ", by " + asked(plan_.lamp_maps));
         if (plan_.sky)
             build(stage::kSky, counted(plan_.environments.size(), "environment") + ", by shadow rays through the hair");
         if (plan_.gather_rays()) {
@@ -190,7 +207,9 @@ private:
         }
         if (plan_.polygon_gather)
             build(stage::kPolygonGather, "the photon map at the end of gather rays, through the hair");
-        if (plan_.crossing_gather) build(stage::kCrossingGather, "lamps, at the fibers that gather rays cross");
+        if (plan_.crossing_gather)
+            build(stage::kCrossingGather,
+                  "lamps, at the fibers that gather rays cross, by " + asked(plan_.crossing_maps));
         if (any(plan_.photon_display))
             build(stage::kPhotonDisplay, type_list(plan_.photon_display) + ", by photons near by");
         if (any(plan_.paths)) build(stage::kPaths, type_list(plan_.paths) + ", by path tracing");

@@ -3,6 +3,7 @@
 // else, and its figures list the same names.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,14 +28,17 @@ struct Plan {
 
     TypeSet types{};               // on, and some light may be theirs: they have layers
     bool background = false;       // environments are seen past everything
-    bool direct = false;           // type 1: shadow rays to lamps
+    bool direct = false;           // type 1: lamps, by shadow rays or maps
     bool sky = false;              // type 2: shadow rays to environments
     bool polygon_gather = false;   // type 2: gather rays read the photon map
     bool crossing_gather = false;  // type 3: gather rays are lit where they cross hair
     TypeSet photon_display{};      // types 4 and 5: photons shown directly
     TypeSet paths{};               // traced as paths
 
+    std::optional<MapKind> lamp_maps, crossing_maps;  // that types 1 and 3 ask; none: shadow rays
+
     bool gather_rays() const { return polygon_gather || crossing_gather; }
+    bool shadow_maps(MapKind kind) const { return lamp_maps == kind || crossing_maps == kind; }
     bool photons() const { return polygon_gather || any(photon_display); }
 };
 
@@ -45,6 +49,8 @@ inline constexpr const char* kMeshTree = "mesh tree";
 inline constexpr const char* kAttenuation = "attenuation table";
 inline constexpr const char* kHairColors = "hair colours";
 inline constexpr const char* kEnvironment = "environment table";
+inline constexpr const char* kShadowMaps[kMapKinds] = {"deep shadow maps", "opacity shadow maps",
+                                                       "clustered densities"};
 inline constexpr const char* kPhotons = "photons";
 inline constexpr const char* kPhotonMap = "photon map";
 inline constexpr const char* kShownPhotons = "shown photons";

@@ -10,6 +10,8 @@ namespace {
 
 constexpr size_t kBatch = 1024;  // gather rays at a time: their crossings are some ten times as many
 
+constexpr float kNearCrossings = 0;  // texel widths traced before a map is asked: light that scattered forgives more
+
 constexpr uint32_t kSweepDimension = 0, kFirstCrossingDimension = kSobolGroup;
 
 /// Each crossing that counts has a group for the lamp to keep, and one for each lamp.
@@ -49,19 +51,24 @@ void CrossingLight::count_crossings(std::span<const Rgb> before, uint64_t first,
 void CrossingLight::add_shadow_ray(const Scene& scene, const ShadingPoint& point, std::span<const uint32_t> lamps,
                                    const Sampler& sampler, uint32_t dimension, const Rgb& throughput, uint32_t row) {
     Connection kept;
+    uint32_t kept_lamp = 0;
+    Vec2 kept_u(0);
     Rgb color(0);  // of the light of the lamp kept, at luminance 1
     Reservoir reservoir(sampler.get(dimension));
     for (const uint32_t lamp : lamps) {
         dimension += kSobolGroup;
-        const Connection to = connect_lamp(scene, point, scene.lights[lamp], sampler.get2(dimension));
+        const Vec2 u = sampler.get2(dimension);
+        const Connection to = connect_lamp(scene, point, scene.lights[lamp], u);
         const Rgb brought = bounded(throughput * to.radiance);
         const float weight = luminance(brought);
         if (!(weight > 0) || !reservoir.offer(weight)) continue;
         kept = to;
+        kept_lamp = lamp;
+        kept_u = u;
         color = brought / weight;
     }
     if (!(reservoir.sum() > 0)) return;
-    shadow_rays_.add(point.position, kept.direction, kept.distance, point.excluded);
+    shadow_rays_.add(point.position, kept.direction, kept.distance, point.excluded, kept_lamp, kept_u, point.segment);
     row_.push_back(row);
     unshadowed_.push_back(bounded(color * reservoir.sum()));
 }
@@ -87,7 +94,8 @@ void CrossingLight::add_shadow_rays(const Scene& scene, const PreparedScene& pre
 }
 
 void CrossingLight::operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
-                               std::span<const uint32_t> lamps, const GatherRays& gather, std::span<Rgb> radiance) {
+                               std::span<const uint32_t> lamps, const LampMaps* maps, const GatherRays& gather,
+                               std::span<Rgb> radiance) {
     const RayBatch rays = gather.rays.for_hair();
     for (size_t first = 0; first < gather.size(); first += kBatch) {
         const size_t count = std::min(kBatch, gather.size() - first);
@@ -102,7 +110,7 @@ void CrossingLight::operator()(const Scene& scene, const PreparedScene& prepared
             if (crossing[i] < crossing[i + 1])
                 add_shadow_rays(scene, prepared, options, lamps, gather, first + i, crossing[i], crossing[i + 1]);
         visibility_.resize(shadow_rays_.size());
-        query_(prepared, shadow_rays_, options, visibility_);
+        query_(scene, prepared, maps, kNearCrossings, options, shadow_rays_, visibility_);
         for (size_t i = 0; i < shadow_rays_.size(); ++i) radiance[row_[i]] += unshadowed_[i] * visibility_[i];
     }
 }

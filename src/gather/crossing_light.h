@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light of Type 3 by the method `ray`: fibers that gather rays cross are lit by lamps, through hair, and reflect
+// Light of Type 3 by gather rays: fibers that gather rays cross are lit by lamps, through hair, and reflect
 // (Yuksel, Akleman, Keyser 2007, sec. 4.1):
 //     L3 = integral of f cos(theta) sum_k V_{<k} L_k,   L_k = sum over lamps of f_R V E at the k-th crossing.
 //
@@ -15,16 +15,17 @@
 #include <vector>
 
 #include "gather/gather_rays.h"
-#include "gather/visibility.h"
+#include "gather/lamp_visibility.h"
 
 namespace tress {
 
 class CrossingLight {
 public:
     /// Adds to radiance[i] the light that points[i], where the rays start, sends to the eye. `lamps` are indices of
-    /// lights.
+    /// lights. `maps`: asked at each crossing in place of a shadow ray; none: shadow rays.
     void operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
-                    std::span<const uint32_t> lamps, const GatherRays& rays, std::span<Rgb> radiance);
+                    std::span<const uint32_t> lamps, const LampMaps* maps, const GatherRays& rays,
+                    std::span<Rgb> radiance);
 
 private:
     /// A crossing that counts: of those found for the batch, and by how much.
@@ -42,10 +43,10 @@ private:
     std::vector<float> cutoff_;  // one a ray
     Flights flights_;
     std::vector<Counted> counted_;  // of one ray
-    RayBuffer shadow_rays_;
+    LampRays shadow_rays_;
     std::vector<uint32_t> row_;  // of `radiance`, one a shadow ray, as the rest
     std::vector<Rgb> unshadowed_, visibility_;
-    VisibilityQuery query_;
+    LampVisibility query_;
 };
 
 }  // namespace tress

@@ -36,31 +36,34 @@ Connection connect_sky(const Scene& scene, const ShadingPoint& point, const Envi
     return {kept, kInfinity, bounded(color * (reservoir.sum() / (2 * kPairs)))};
 }
 
+/// `u`: the sample of a lamp.
 Connection connect(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& point, const Sampler& sampler,
-                   uint32_t light) {
+                   uint32_t light, const Vec2& u) {
     if (const auto& sky = prepared.environment[light])
         return connect_sky(scene, point, *sky, sampler, dimension_of(light));
-    return connect_lamp(scene, point, scene.lights[light], sampler.get2(dimension_of(light)));
+    return connect_lamp(scene, point, scene.lights[light], u);
 }
 
 }  // namespace
 
 void DirectLight::operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
-                             std::span<const uint32_t> lights, std::span<const ShadingPoint> points,
-                             std::span<const Sampler> samplers, std::span<Rgb> radiance) {
+                             std::span<const uint32_t> lights, const LampMaps* maps,
+                             std::span<const ShadingPoint> points, std::span<const Sampler> samplers,
+                             std::span<Rgb> radiance) {
     for (const uint32_t light : lights) {
         rays_.clear();
         point_of_ray_.clear();
         unshadowed_.clear();
         for (uint32_t i = 0; i < points.size(); ++i) {
-            const Connection to = connect(scene, prepared, points[i], samplers[i], light);
+            const Vec2 u = samplers[i].get2(dimension_of(light));
+            const Connection to = connect(scene, prepared, points[i], samplers[i], light, u);
             if (!(max_component(to.radiance) > 0)) continue;
-            rays_.add(points[i].position, to.direction, to.distance, points[i].excluded);
+            rays_.add(points[i].position, to.direction, to.distance, points[i].excluded, light, u, points[i].segment);
             point_of_ray_.push_back(i);
             unshadowed_.push_back(to.radiance);
         }
         visibility_.resize(rays_.size());
-        query_(prepared, rays_, options, visibility_);
+        query_(scene, prepared, maps, options.maps.near, options, rays_, visibility_);
         for (size_t ray = 0; ray < rays_.size(); ++ray)
             radiance[point_of_ray_[ray]] += unshadowed_[ray] * visibility_[ray];
     }

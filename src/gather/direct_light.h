@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Next-event estimation: one shadow ray to every light of a type from every point that the eye sees, through hair by
-// its transmittance (Type 1 by the method `ray`, and the environment's part of Type 2).
+// Next-event estimation: one way to every light of a type from every point that the eye sees, through hair by its
+// transmittance: Type 1 by shadow rays or by shadow maps, and the environment's part of Type 2 by shadow rays.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "core/sampler.h"
+#include "gather/lamp_visibility.h"
 #include "gather/shading_point.h"
-#include "gather/visibility.h"
 
 namespace tress {
 
@@ -18,16 +18,17 @@ inline constexpr uint32_t kFirstLightDimension = kSobolGroup, kDimensionsALight 
 
 class DirectLight {
 public:
-    /// Adds to radiance[i] the light that points[i] sends to the eye from `lights`.
+    /// Adds to radiance[i] the light that points[i] sends to the eye from `lights`. `maps`: none: shadow rays all the
+    /// way; environments have none.
     void operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
-                    std::span<const uint32_t> lights, std::span<const ShadingPoint> points,
+                    std::span<const uint32_t> lights, const LampMaps* maps, std::span<const ShadingPoint> points,
                     std::span<const Sampler> samplers, std::span<Rgb> radiance);
 
 private:
-    RayBuffer rays_;
+    LampRays rays_;
     std::vector<uint32_t> point_of_ray_;
     std::vector<Rgb> unshadowed_, visibility_;
-    VisibilityQuery query_;
+    LampVisibility query_;
 };
 
 }  // namespace tress

@@ -5,6 +5,7 @@
 
 #include "accel/build.h"
 #include "gather/photons/photon_tracing.h"
+#include "gather/shadow_maps/seen_hair.h"
 
 namespace tress {
 namespace {
@@ -70,6 +71,19 @@ void make_maps(const Scene& scene, const Plan& plan, const Options& options, con
         });
 }
 
+void make_shadow_maps(const Scene& scene, const Plan& plan, const Options& options, PreparedScene& p) {
+    SeenHair seen;
+    for (int kind = 0; kind < kMapKinds; ++kind) {
+        if (!plan.shadow_maps(MapKind(kind))) continue;
+        timed(p.costs, stage::kShadowMaps[kind], [&] {
+            if (seen.bounds.empty()) seen = find_seen_hair(scene, p, options);
+            LampMaps& maps = p.shadow_maps[size_t(kind)];
+            maps = make_lamp_maps(scene.lights, plan.lamps, MapKind(kind), p.segments, seen, p.attenuation, options);
+            return bytes(maps);
+        });
+    }
+}
+
 }  // namespace
 
 PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& options) {
@@ -92,6 +106,7 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
         timed(p.costs, stage::kAttenuation, [&] { return make_attenuation(scene, plan, p.attenuation); });
     if (plan.hair_colors)
         timed(p.costs, stage::kHairColors, [&] { return make_hair_colors(scene, p.segments, p.attenuation); });
+    make_shadow_maps(scene, plan, options, p);
     if (plan.photons()) {
         TracedPhotons traced;
         timed(p.costs, stage::kPhotons, [&] {

@@ -2,6 +2,7 @@
 // What is built once for a scene before its rays are traced: just what the plan lists.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "core/scene.h"
 #include "core/stage_cost.h"
 #include "gather/photons/photon_maps.h"
+#include "gather/shadow_maps/lamp_maps.h"
 
 namespace tress {
 
@@ -21,6 +23,7 @@ struct PreparedScene {
     KdTree hair, mesh;                                           // empty where left out
     Attenuation attenuation;                                     // empty where left out
     std::vector<std::optional<EnvironmentSampler>> environment;  // one a light; none where not an environment
+    std::array<LampMaps, kMapKinds> shadow_maps;                 // by kind; empty where left out
     PhotonMaps photons;                                          // empty where left out
     PhotonStatistics photon_statistics;                          // likewise
     std::vector<StageCost> costs;

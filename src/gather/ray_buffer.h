@@ -24,6 +24,7 @@ public:
 
     size_t size() const { return ox_.size(); }
     Vec3 direction(size_t ray) const { return {dx_[ray], dy_[ray], dz_[ray]}; }
+    float far(size_t ray) const { return t_far_[ray]; }
     Vec3 origin(size_t ray) const { return {ox_[ray], oy_[ray], oz_[ray]}; }
     RayBatch for_hair() const { return batch(segment_first_, segment_last_); }
     RayBatch for_mesh() const { return batch(triangle_, triangle_); }

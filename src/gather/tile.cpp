@@ -42,11 +42,13 @@ public:
 
     void operator()() {
         const Plan& plan = c_.plan;
-        const auto lights = [&](const std::vector<uint32_t>& from) {
-            return [&] { s_.direct(c_.scene, c_.prepared, c_.options, from, points_, samplers_, s_.radiance); };
+        const auto lights = [&](const std::vector<uint32_t>& from, const LampMaps* maps) {
+            return [&, maps] {
+                s_.direct(c_.scene, c_.prepared, c_.options, from, maps, points_, samplers_, s_.radiance);
+            };
         };
-        if (plan.direct) one_type(LoopStage::type1, PathType::type1, lights(plan.lamps));
-        if (plan.sky) one_type(LoopStage::sky, PathType::type2, lights(plan.environments));
+        if (plan.direct) one_type(LoopStage::type1, PathType::type1, lights(plan.lamps, maps(plan.lamp_maps)));
+        if (plan.sky) one_type(LoopStage::sky, PathType::type2, lights(plan.environments, nullptr));
         if (plan.gather_rays()) gather();
         if (any(plan.photon_display)) {
             const StageTimer timer(clocks_, LoopStage::photon_display);
@@ -59,6 +61,10 @@ public:
     }
 
 private:
+    const LampMaps* maps(const std::optional<MapKind>& kind) const {
+        return kind ? &c_.prepared.shadow_maps[size_t(*kind)] : nullptr;
+    }
+
     void gather() {
         {
             const StageTimer timer(clocks_, LoopStage::gather_rays);
@@ -69,7 +75,8 @@ private:
                      [&] { s_.polygon_light(c_.scene, c_.prepared, c_.options, s_.gather, s_.radiance); });
         if (c_.plan.crossing_gather)
             one_type(LoopStage::crossing_gather, PathType::type3, [&] {
-                s_.crossing_light(c_.scene, c_.prepared, c_.options, c_.plan.lamps, s_.gather, s_.radiance);
+                s_.crossing_light(c_.scene, c_.prepared, c_.options, c_.plan.lamps, maps(c_.plan.crossing_maps),
+                                  s_.gather, s_.radiance);
             });
     }
 

@@ -14,6 +14,14 @@ namespace tress {
 void through_hair(const PreparedScene& prepared, const RayBuffer& rays, const Options& options,
                   std::span<Rgb> visibility);
 
+/// Rays that no polygon stops: which of those asked for, and a copy of them.
+struct OpenRays {
+    std::vector<uint32_t> index;
+    RayBuffer rays;
+    std::vector<uint8_t> occluded;  // one a ray asked for
+};
+void find_open_rays(const PreparedScene& prepared, const RayBuffer& rays, Isa isa, OpenRays& open);
+
 /// Visibility of each ray over its whole length; under full scattering hair stops a ray. Scratch arrays are kept
 /// between calls.
 class VisibilityQuery {
@@ -25,9 +33,7 @@ private:
     /// By nearest hits, whose segments have round ends: what a path's ray would meet must stop its shadow rays too.
     void past_hair(const PreparedScene& prepared, const Options& options);
 
-    std::vector<uint8_t> occluded_;
-    std::vector<uint32_t> open_;  // rays that no polygon stops
-    RayBuffer open_rays_;
+    OpenRays open_;
     std::vector<Rgb> through_;  // one an open ray
     std::vector<float> t_, u_, h_;
     std::vector<uint32_t> id_;

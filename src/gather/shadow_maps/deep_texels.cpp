@@ -19,9 +19,10 @@ constexpr double kNothing = 0.5 / kUnits;
 
 int channels(const FragmentTile& fragments) { return fragments.opacity[1].empty() ? 1 : 3; }
 
-/// What is left of the light behind each fragment of one texel, up to the first that leaves nothing. Returns how many
-/// fragments that is.
-size_t multiply_up(const FragmentTile& fragments, size_t begin, size_t end, std::vector<float> (&left)[3]) {
+/// What is left of the light behind each fragment of one texel, up to the first that leaves `least` at most. Returns
+/// how many fragments that is.
+size_t multiply_up(const FragmentTile& fragments, size_t begin, size_t end, double least,
+                   std::vector<float> (&left)[3]) {
     const int n = channels(fragments);
     double light[3] = {1, 1, 1};
     for (int c = 0; c < n; ++c) left[c].resize(end - begin);
@@ -30,7 +31,7 @@ size_t multiply_up(const FragmentTile& fragments, size_t begin, size_t end, std:
         for (int c = 0; c < n; ++c) {
             light[c] *= 1 - double(fragments.opacity[c][i]);
             left[c][i - begin] = float(light[c]);
-            some |= light[c] > kNothing;
+            some |= light[c] > least;
         }
         if (!some) return i + 1 - begin;
     }
@@ -61,7 +62,14 @@ void check_node_count(uint64_t nodes) {
                                                 std::to_string(kMost) + ": lower maps.resolution or raise deep.error");
 }
 
+float least_light(float error) {
+    constexpr float kShare = 0.25f;  // more lets fewer fragments do, but leaves less for compression
+    return kShare * error;
+}
+
 DeepTexels make_deep_texels(const FragmentTile& fragments, float error) {
+    const double least = std::max(double(least_light(error)), kNothing);
+    const float bound = error - least_light(error);
     DeepTexels texels;
     StepCompressor compress;
     StepNodes nodes;
@@ -71,8 +79,8 @@ DeepTexels make_deep_texels(const FragmentTile& fragments, float error) {
     for (size_t t = 0; t + 1 < fragments.first.size(); ++t) {
         const size_t begin = fragments.first[t], end = fragments.first[t + 1];
         if (begin < end) {
-            const size_t count = multiply_up(fragments, begin, end, left);
-            compress(step_function(fragments, begin, count, left), error, nodes);
+            const size_t count = multiply_up(fragments, begin, end, least, left);
+            compress(step_function(fragments, begin, count, left), bound, nodes);
             append_rounded(texels, nodes);
             check_node_count(texels.depth.size());
         }

@@ -19,6 +19,9 @@ struct DeepTexels {
     std::vector<uint16_t> value[3];  // of 65535; one channel, the others empty, where no fiber colours light
 };
 
+/// Light down to which a texel is followed: what is left out behind comes out of the error that is allowed.
+float least_light(float error);
+
 /// Texels of one tile. `error`: greatest absolute error of a value, of each channel. Half a unit of 16 bits, 1 /
 /// 131070, comes on top of it by rounding, and as much again behind a hair where no channel has more than that left:
 /// what is farther is left out.

@@ -20,8 +20,9 @@ float from_ordered(uint32_t number) { return std::bit_cast<float>(number ^ (numb
 
 }  // namespace
 
-void FragmentSorter::begin(int channels, size_t pieces) {
+void FragmentSorter::begin(int channels, size_t pieces, float opaque) {
     channels_ = channels;
+    opaque_ = opaque;
     stopped_.resize(pieces);
     added_ = 0;
     texels_.assign(kTexels, Texel{1, -kInfinity, kInfinity, 0});
@@ -41,7 +42,7 @@ void FragmentSorter::add(int index, float coverage, float depth) {
     if (depth > texel.closed) return;
     texel.light *= 1 - coverage * least_stopped_;
     texel.deepest = std::max(texel.deepest, depth);
-    if (texel.light < kOpaqueTexel && texel.closed == kInfinity) texel.closed = texel.deepest;
+    if (texel.light < opaque_ && texel.closed == kInfinity) texel.closed = texel.deepest;
     ++texel.count;
     unsorted_[added_] = {piece_, ordered(depth), coverage};
     texel_of_[added_] = uint16_t(index);

@@ -11,8 +11,9 @@ namespace tress {
 
 class FragmentSorter {
 public:
-    /// Forgets what was there; `channels` 1 or 3. Pieces are counted in the order of segments.
-    void begin(int channels, size_t pieces);
+    /// Forgets what was there; `channels` 1 or 3. Pieces are counted in the order of segments. A texel whose light is
+    /// below `opaque` is.
+    void begin(int channels, size_t pieces, float opaque);
 
     /// Fragments that are added from here on belong to a piece that stops so much; at most `most` of them.
     void begin_piece(uint32_t piece, const Rgb& stopped, size_t most);
@@ -39,6 +40,7 @@ private:
     void sort(uint32_t first, uint32_t last);
 
     int channels_ = 1;
+    float opaque_ = 0;
     uint32_t piece_ = 0;
     float least_stopped_ = 0;  // of any channel, by this piece
     size_t added_ = 0;

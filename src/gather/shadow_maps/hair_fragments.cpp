@@ -55,13 +55,13 @@ void draw_whole(const HairInView& hair, const TexelRect& rect, uint32_t index, R
     draw_outline(hair.view, *ribbon, o, rect.low, rect, take);
 }
 
-void draw_tile(const HairInView& hair, const TileBins& bins, int tile, Scratch& s) {
+void draw_tile(const HairInView& hair, const TileBins& bins, float opaque, int tile, Scratch& s) {
     const glm::ivec2 low(tile % tiles_across(hair.view) * kViewTile, tile / tiles_across(hair.view) * kViewTile);
     const TexelRect rect{low, min(low + kViewTile, glm::ivec2(hair.view.width, hair.view.height))};
     s.pieces.clear();
     for (const TileBins::Name& name : bins.of(tile)) s.pieces.push_back(bins.piece(name));
     sort_roughly(s);
-    s.sorter.begin(hair.channels, s.pieces.size());
+    s.sorter.begin(hair.channels, s.pieces.size(), opaque);
     const auto take = [&](int texel, float coverage, float depth) { s.sorter.add(texel, coverage, depth); };
     for (const uint32_t index : s.order) {
         RibbonPiece& piece = s.pieces[index];
@@ -87,14 +87,14 @@ bool colors_light(const Attenuation& attenuation) {
     });
 }
 
-void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation,
+void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation, float opaque,
                   const std::function<void(int tile, FragmentTile& fragments)>& take) {
     const HairInView hair{view, segments, attenuation, colors_light(attenuation) ? 3 : 1};
     const TileBins bins = bin_pieces(hair);
     tbb::enumerable_thread_specific<Scratch> scratch;
     tbb::parallel_for(0, tile_count(view), [&](int tile) {
         Scratch& s = scratch.local();
-        draw_tile(hair, bins, tile, s);
+        draw_tile(hair, bins, opaque, tile, s);
         // What waits within `take` must not run another tile on this thread's scratch.
         tbb::this_task_arena::isolate([&] { take(tile, s.tile); });
     });

@@ -24,13 +24,11 @@ struct FragmentTile {
 /// Whether a_k differs between channels anywhere.
 bool colors_light(const Attenuation& attenuation);
 
-/// Texels whose light is down to this are opaque: fragments behind may be left out.
-inline constexpr float kOpaqueTexel = 1e-4f;
-
 /// Calls `take(tile, fragments)` once for every tile of the view, in parallel and in any order; `tile` counts as
-/// texel_index does. The fragments are the same whatever the number of threads; `take` may keep or change them. Left
-/// out is hair nearer to a pinhole along z than its own width.
-void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation,
+/// texel_index does. Texels whose light is below `opaque` in every channel are: fragments behind may be left out. The
+/// fragments are the same whatever the number of threads; `take` may keep or change them. Left out is hair nearer to a
+/// pinhole along z than its own width.
+void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation, float opaque,
                   const std::function<void(int tile, FragmentTile& fragments)>& take);
 
 }  // namespace tress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compression of Lokovic & Veach 2000, section 3.2: a falling step function becomes piecewise linear, with few nodes,
+// Compression of Lokovic & Veach 2000: a falling step function becomes piecewise linear, with few nodes,
 // and errs nowhere by more than a bound. The paper fixes each node before it looks for the next; here a node keeps its
 // whole range of values until the end is reached, and values are settled on the way back, which takes fewer nodes.
 #pragma once
