@@ -2,11 +2,11 @@
 #include "gather/lamp_visibility.h"
 
 #include <doctest/doctest.h>
-
-#include <glm/gtc/matrix_transform.hpp>
+#include <tbb/global_control.h>
 
 #include "core/rng.h"
 #include "gather/connection.h"
+#include "gather/crossing_light.h"
 #include "tests/tufts.h"
 
 using namespace tress;
@@ -23,8 +23,6 @@ Options by_maps(MapKind kind) {
     options.type1 = kMethods[size_t(kind)];
     options.type2 = GatherMethod::off;
     options.type3 = CrossingMethod::off;
-    if (getenv("RES")) options.maps.resolution = atoi(getenv("RES"));
-    if (getenv("NEAR")) options.maps.near = atof(getenv("NEAR"));
     return options;
 }
 
@@ -100,38 +98,172 @@ Difference difference(const Lit& l, int samples = 1) {
     return d;
 }
 
+/// Maps that resolve the fibers of the ball: then nothing is left but what texels at their rims confuse.
+Options fine_maps(MapKind kind) {
+    Options options = by_maps(kind);
+    options.maps.resolution = 1024;
+    return options;
+}
+
+struct PlacedLamp {
+    std::string name;
+    Light lamp;
+    bool among_hair = false;  // whole cube faces, on which fibers are wide as they are
+};
+
+std::vector<PlacedLamp> lamps_everywhere() {
+    const Lit any = lit({ball()}, {}, PointLight{{0, 0, 9}, Rgb(1)}, by_maps(MapKind::deep));
+    const SegmentView& hair = any.prepared.segments;
+    const DVec3 at_a_point = DVec3(hair.start(uint32_t(hair.size() / 2))) + any.scene.origin;
+    return {{"above", PointLight{{0, 6, 0}, Rgb(1)}},
+            {"below", PointLight{{0, -6, 0}, Rgb(1)}},
+            {"inside", PointLight{{0.1, 0.05, -0.1}, Rgb(1)}, true},
+            {"at the hair's rim", PointLight{{0.9, 0.2, 0}, Rgb(1)}, true},
+            {"at a hair point", PointLight{at_a_point, Rgb(1)}, true},
+            {"straight down", DistantLight{{0, -1, 0}, Rgb(1)}},
+            {"straight along z", DistantLight{{0, 0, -1}, Rgb(1)}},
+            {"far away", PointLight{{3e6, 4e6, 0}, Rgb(1)}},
+            {"a narrow spot", SpotLight{{0, 0, 6}, {0, 0, 0}, 14, Rgb(1)}}};
+}
+
+/// About the origin, by an angle about an axis.
+glm::dmat3 rotation(const DVec3& axis, double angle) {
+    const DVec3 a = normalize(axis);
+    const double c = std::cos(angle), s = std::sin(angle);
+    glm::dmat3 m;
+    for (int column = 0; column < 3; ++column) {
+        DVec3 e(0);
+        e[column] = 1;
+        m[column] = c * e + s * cross(a, e) + (1 - c) * dot(a, e) * a;
+    }
+    return m;
+}
+
+PlacedHair rotated(PlacedHair hair, const glm::dmat3& by) {
+    for (size_t i = 0; i < hair.strands.points(); ++i) {
+        const DVec3 p = by * DVec3(hair.strands.point(i));
+        hair.strands.x[i] = float(p.x), hair.strands.y[i] = float(p.y), hair.strands.z[i] = float(p.z);
+    }
+    return hair;
+}
+
+double mean_visibility(const Lit& l) {
+    const LampRays to = ways(l, 4);
+    double sum = 0;
+    for (const Rgb& v : visibility(l, to, &maps_of(l), l.options.maps.near)) sum += double(mean(v));
+    return sum / double(to.size());
+}
+
 }  // namespace
 
-TEST_CASE("maps agree with rays wherever the lamp is") {
-    const DVec3 at_a_point = [] {
-        const Lit l = lit({ball()}, {}, PointLight{{0, 0, 9}, Rgb(1)}, by_maps(MapKind::deep));
-        return DVec3(l.prepared.segments.start(uint32_t(l.prepared.segments.size() / 2))) + l.scene.origin;
-    }();
-    const struct {
-        std::string name;
-        Light lamp;
-    } cases[] = {{"above", PointLight{{0, 6, 0}, Rgb(1)}},
-                 {"below", PointLight{{0, -6, 0}, Rgb(1)}},
-                 {"inside", PointLight{{0.1, 0.05, -0.1}, Rgb(1)}},
-                 {"at the hair's rim", PointLight{{0.9, 0.2, 0}, Rgb(1)}},
-                 {"at a hair point", PointLight{at_a_point, Rgb(1)}},
-                 {"straight down", DistantLight{{0, -1, 0}, Rgb(1)}},
-                 {"straight along z", DistantLight{{0, 0, -1}, Rgb(1)}},
-                 {"far away", PointLight{{3e6, 4e6, 0}, Rgb(1)}},
-                 {"a narrow spot", SpotLight{{0, 0, 6}, {0, 0, 0}, 14, Rgb(1)}},
-                 {"a quad", QuadLight{{-2, -2, 5}, {{0, 4, 0}, {4, 0, 0}}, Rgb(1)}},
-                 {"a quad among the hair", QuadLight{{-0.2, -0.2, 0.1}, {{0.4, 0, 0}, {0, 0.4, 0}}, Rgb(1)}}};
+// The mean error of a point is of the order of what a shadow ray sees more or less at the rims of hair, 0.02 here; its
+// mean over 400 points falls with the square root of their number, to 0.001. Fibers nearer to a lamp than their own
+// width are not on its map: a lamp among the hair leaks half a percent.
+TEST_CASE("deep maps agree with rays wherever the lamp is") {
+    for (const PlacedLamp& placed : lamps_everywhere()) {
+        CAPTURE(placed.name);
+        const Options options = placed.among_hair ? by_maps(MapKind::deep) : fine_maps(MapKind::deep);
+        const Difference d = difference(lit({ball()}, {}, placed.lamp, options), 4);
+        CAPTURE(d.absolute);
+        CAPTURE(d.of_sign);
+        CHECK(d.finite);
+        CHECK(d.absolute < 0.02);
+        CHECK(std::abs(d.of_sign) < 0.008);
+    }
+}
+
+// A quad is seen from four points alone, each over cells of a map that are wider than fibers.
+TEST_CASE("from maps at a few of its points a quad is seen as by many rays to it") {
+    const QuadLight quads[] = {{{-1, -1, 6}, {{0, 2, 0}, {2, 0, 0}}, Rgb(1)},
+                               {{-0.2, -0.2, 0.1}, {{0, 0.4, 0}, {0.4, 0, 0}}, Rgb(1)}};
     for (const MapKind kind : kKinds)
-        for (const auto& c : cases) {
+        for (const QuadLight& quad : quads) {
             CAPTURE(int(kind));
-            CAPTURE(c.name);
-            const Lit l = lit({ball()}, {}, c.lamp, by_maps(kind));
-            const Difference d = difference(l, 4);
+            CAPTURE(quad.corner.z);
+            const Difference d = difference(lit({ball()}, {}, quad, by_maps(kind)), 64);
             CAPTURE(d.absolute);
             CAPTURE(d.of_sign);
-            MESSAGE(c.name, " ", int(kind), " ", d.absolute, " ", d.of_sign);
             CHECK(d.finite);
-            CHECK(d.absolute < 0.02);
+            CHECK(d.absolute < 0.04);
             CHECK(std::abs(d.of_sign) < 0.01);
         }
+}
+
+TEST_CASE("opacity maps and clusters agree with rays on average, wherever the lamp is") {
+    for (const MapKind kind : {MapKind::opacity, MapKind::clusters})
+        for (const PlacedLamp& placed : lamps_everywhere()) {
+            CAPTURE(int(kind));
+            CAPTURE(placed.name);
+            const Difference d = difference(lit({ball()}, {}, placed.lamp, by_maps(kind)), 4);
+            CAPTURE(d.of_sign);
+            CHECK(d.finite);
+            CHECK(std::abs(d.of_sign) < 0.02);
+        }
+}
+
+TEST_CASE("rays that are traced all the way give what rays give, to the bit") {
+    for (const MapKind kind : kKinds) {
+        Options options = by_maps(kind);
+        options.maps.near = 1e6f;
+        const Lit l = lit({ball()}, {square(0.5f, Rgb(1))}, PointLight{{0, 1, 5}, Rgb(1)}, options);
+        const LampRays to = ways(l, 2);
+        CHECK(visibility(l, to, &maps_of(l), options.maps.near) == visibility(l, to, nullptr, 0));
+    }
+}
+
+TEST_CASE("a polygon between stops all light, and points of polygons see quads by rays to the bit") {
+    const QuadLight quad{{-2, -2, 5}, {{0, 4, 0}, {4, 0, 0}}, Rgb(1)};
+    PlacedMesh between = square(3, Rgb(1));
+    between.placement.m[11] = 2.5;
+    const Lit blocked = lit({ball()}, {between}, PointLight{{0, 0, 5}, Rgb(1)}, by_maps(MapKind::deep));
+    for (const Rgb& v : visibility(blocked, ways(blocked, 1), &maps_of(blocked), 4)) CHECK(v == Rgb(0));
+
+    const Lit open = lit({ball()}, {}, quad, by_maps(MapKind::deep));
+    LampRays to = ways(open, 2);
+    for (uint32_t& segment : to.segment) segment = kNone;
+    CHECK(visibility(open, to, &maps_of(open), 4) == visibility(open, to, nullptr, 0));
+}
+
+// Without rays next to the point a map shows a fiber to itself: what it stops of its own light is taken out on average.
+TEST_CASE("a lone fiber does not shadow itself") {
+    PlacedHair lone;
+    lone.strands.constant_radius = 0.01f;
+    lone.strands.first = {0, 65};
+    for (int i = 0; i <= 64; ++i)
+        lone.strands.add_point({0.03f * float(i) - 1, 0.02f * float(i) - 0.6f, 0.01f * float(i)});
+    lone.fiber = fiber_with(Rgb(0.5f));
+    for (const MapKind kind : kKinds)
+        for (const float near : {0.0f, 4.0f}) {
+            CAPTURE(int(kind));
+            CAPTURE(near);
+            Options options = by_maps(kind);
+            options.maps.near = near;
+            options.maps.resolution = 40;  // texels as wide as five fibers
+            const Difference d = difference(lit({lone}, {}, PointLight{{0.3, 0.4, 6}, Rgb(1)}, options));
+            CHECK(std::abs(d.of_sign) < 0.01);
+        }
+}
+
+TEST_CASE("turning hair and lamp together changes the mean transmittance by less than a thousandth") {
+    const PointLight lamp{{1, 2, 5}, Rgb(1)};
+    const double upright = mean_visibility(lit({ball()}, {}, lamp, fine_maps(MapKind::deep)));
+    for (const DVec3& axis : {DVec3(0, 0, 1), DVec3(1, 2, 3), DVec3(-3, 1, 0.5)}) {
+        const glm::dmat3 turn = rotation(axis, 1.1);
+        const Lit turned =
+            lit({rotated(ball(), turn)}, {}, PointLight{turn * lamp.position, Rgb(1)}, fine_maps(MapKind::deep));
+        CHECK(std::abs(mean_visibility(turned) - upright) < 1e-3);
+    }
+}
+
+TEST_CASE("maps are the same for any number of threads") {
+    const QuadLight quad{{-2, -2, 5}, {{0, 4, 0}, {4, 0, 0}}, Rgb(1)};
+    for (const MapKind kind : kKinds) {
+        std::vector<Rgb> seen[2];
+        for (const size_t threads : {1, 2}) {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+            const Lit l = lit({ball()}, {}, quad, by_maps(kind));
+            seen[threads - 1] = visibility(l, ways(l, 2), &maps_of(l), 1);
+        }
+        CHECK(seen[0] == seen[1]);
+    }
 }

@@ -83,6 +83,26 @@ void print(const char* what, const std::vector<TypeShare>& types) {
     if (!line.empty()) std::fprintf(stderr, "%s: %s\n", what, line.c_str());
 }
 
+/// Of the stages that bear this name, times the threads.
+double core_seconds(const RenderStats& stats, const char* name) {
+    double sum = 0;
+    for (const StageCost& cost : stats.stages)
+        if (cost.name == name) sum += cost.seconds * stats.threads;
+    return sum;
+}
+
+/// What `type1: auto` expected, beside what it took.
+void print_estimate(const RenderStats& stats, const Plan& plan) {
+    const LampCost& cost = *plan.lamp_cost;
+    const char* maps = stage::kShadowMaps[int(MapKind::deep)];
+    if (plan.lamp_maps)
+        std::fprintf(stderr, "type 1: by %s, estimated %.1f core seconds and %.1f to make them, took %.1f and %.1f\n",
+                     maps, cost.maps, cost.build, core_seconds(stats, stage::kType1), core_seconds(stats, maps));
+    else
+        std::fprintf(stderr, "type 1: by shadow rays, estimated %.1f core seconds, took %.1f\n", cost.rays,
+                     core_seconds(stats, stage::kType1));
+}
+
 void run(const RenderArguments& arguments) {
     const auto start = Clock::now();
     const SceneDescription description = describe(arguments.scene);
@@ -110,13 +130,15 @@ void run(const RenderArguments& arguments) {
     stats.types = type_shares(state.film, ShareOf::picture);
     stats.types_on_hair = type_shares(state.film, ShareOf::hair);
     stats.photons = prepared.photon_statistics;
+    stats.lamp_cost = plan.lamp_cost;
+    stats.threads = threads;
     if (!arguments.quiet) {
         for (const std::string& line : photon_lines(stats.photons, scene)) std::fprintf(stderr, "%s\n", line.c_str());
         print("light", stats.types);
         print("light on hair", stats.types_on_hair);
+        if (plan.lamp_cost) print_estimate(stats, plan);
     }
     stats.spp = state.samples;
-    stats.threads = threads;
     stats.isa = isa_name(isa);
     stats.segments = scene.segments.point.size();
     stats.dropped_segments = scene.segments.dropped;

@@ -19,6 +19,10 @@ nlohmann::ordered_json to_json(const std::vector<TypeShare>& shares) {
     return types;
 }
 
+nlohmann::ordered_json to_json(const LampCost& cost) {
+    return {{"core_seconds_rays", cost.rays}, {"core_seconds_maps", cost.maps}, {"core_seconds_build", cost.build}};
+}
+
 }  // namespace
 
 uint64_t peak_rss_bytes() {
@@ -41,6 +45,7 @@ nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
               {"total", stats.total_seconds}}},
             {"stages", stages},
             {"left_out", left_out},
+            {"type1_estimate", stats.lamp_cost ? to_json(*stats.lamp_cost) : nlohmann::ordered_json()},
             {"types", to_json(stats.types)},
             {"types_on_hair", to_json(stats.types_on_hair)},
             {"photons", stats.photons.lights.empty() ? Json() : to_json(stats.photons)},

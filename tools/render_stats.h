@@ -16,6 +16,7 @@ struct RenderStats {
     double load_seconds = 0, build_seconds = 0, render_seconds = 0, total_seconds = 0;
     std::vector<StageCost> stages;
     std::vector<PlanItem> left_out;
+    std::optional<LampCost> lamp_cost;  // as estimated
     std::vector<TypeShare> types, types_on_hair;
     PhotonStatistics photons;
     int spp = 0, threads = 0;

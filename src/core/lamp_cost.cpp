@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/lamp_cost.h"
 
+#include <thread>
+
 #include "core/camera.h"
 #include "core/segments.h"
 
@@ -9,11 +11,12 @@ namespace {
 
 // Measured on one core of an Intel Xeon (Sapphire Rapids, AVX-512); docs/light.md says how. Other machines scale all of
 // them alike.
-constexpr double kRaySeconds = 0.6e-6;        // a shadow ray from hair, and
+constexpr double kShadeSeconds = 0.3e-6;      // a way to a lamp, without what is between
+constexpr double kRaySeconds = 0.3e-6;        // a shadow ray from hair, and
 constexpr double kCrossingSeconds = 0.14e-6;  // each fiber that it crosses
-constexpr double kAskSeconds = 0.6e-6;        // a short ray and a look-up
-constexpr double kSegmentSeconds = 60e-9;     // a segment put on a map, and
-constexpr double kFragmentSeconds = 25e-9;    // each texel that it touches
+constexpr double kAskSeconds = 0.5e-6;        // a short ray and a look-up
+constexpr double kSegmentSeconds = 0.4e-6;    // a segment put on a map, and
+constexpr double kFragmentSeconds = 0.15e-6;  // each texel that it touches
 
 /// Of a line through a convex body to that of a body of equal mean shadow: a seen point lies near the rim, and its lamp
 /// anywhere, so half the line lies between.
@@ -78,20 +81,39 @@ size_t views(const Light& light, int grid) {
     return std::holds_alternative<QuadLight>(light) ? size_t(grid) * size_t(grid) : 1;
 }
 
+/// Seconds that one sample of every pixel takes by rays and by maps.
+struct SampleCost {
+    double rays = 0, maps = 0;
+};
+
+SampleCost cost_of_sample(const Scene& scene, const Options& options, const HairMeasure& hair, size_t lamps) {
+    const double pixels = double(scene.camera.width) * scene.camera.height;
+    const double share = share_of_picture(scene.camera, hair.bounds), others = scene.mesh.triangles() ? 1 - share : 0;
+    const double crossings =
+        std::min(kShareOfLine * crossings_of_line(hair), crossings_to_cutoff(scene, options.cutoff));
+    const double either = (share + others) * kShadeSeconds;
+    const double ways = pixels * double(lamps);
+    return {ways * (either + share * (kRaySeconds + crossings * kCrossingSeconds)),
+            ways * (either + share * kAskSeconds)};
+}
+
+/// Samples a pixel; with a limit of time, those that rays take in it.
+double samples(const Options& options, double seconds_each) {
+    if (!(options.time > 0) || !(seconds_each > 0)) return options.spp;
+    const unsigned cores = options.threads > 0 ? unsigned(options.threads) : std::thread::hardware_concurrency();
+    return std::min(double(options.spp), options.time * std::max(cores, 1u) / seconds_each);
+}
+
 }  // namespace
 
 LampCost estimate_lamp_cost(const Scene& scene, const Options& options, std::span<const uint32_t> lamps) {
     const SegmentView segments = view(scene.hair, scene.segments);
     const HairMeasure hair = measure(segments);
-    const double pixels = double(scene.camera.width) * scene.camera.height;
-    const double ways = pixels * options.spp * share_of_picture(scene.camera, hair.bounds) * double(lamps.size());
-    const double crossings =
-        std::min(kShareOfLine * crossings_of_line(hair), crossings_to_cutoff(scene, options.cutoff));
+    const SampleCost sample = cost_of_sample(scene, options, hair, lamps.size());
+    const double spp = samples(options, sample.rays);
     const double texel = double(max_component(hair.bounds.extent())) / options.maps.resolution;
-    const double fragments = texel > 0 ? kQuarterPi * hair.length / texel + double(segments.size()) : 0;
-    LampCost cost;
-    cost.rays = ways * (kRaySeconds + crossings * kCrossingSeconds);
-    cost.maps = ways * kAskSeconds;
+    const double fragments = texel > 0 ? kQuarterPi * hair.length / texel : 0;
+    LampCost cost{spp * sample.rays, spp * sample.maps, 0};
     for (const uint32_t lamp : lamps)
         cost.build += double(views(scene.lights[lamp], options.maps.grid)) *
                       (double(segments.size()) * kSegmentSeconds + fragments * kFragmentSeconds);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Type 1 will cost by shadow rays and by shadow maps, told from the scene and the options before anything is
+// What Type 1 will cost by shadow rays and by deep shadow maps, told from the scene and the options before anything is
 // built: how `type1: auto` chooses.
 #pragma once
 
@@ -11,14 +11,17 @@
 
 namespace tress {
 
-/// Seconds of one core. Good to a factor of two: docs/light.md has estimates beside what was measured.
+/// Seconds of one core, of the stages that bear these names. Good to a factor of two: docs/light.md has estimates
+/// beside what was measured.
 struct LampCost {
-    double rays = 0;   // shadow rays
-    double build = 0;  // of shadow maps
-    double maps = 0;   // asking them, with the rays next to each point
+    double rays = 0;   // Type 1 by shadow rays
+    double maps = 0;   // Type 1 by deep shadow maps, and
+    double build = 0;  // making them
+
+    bool maps_pay() const { return build + maps < rays; }
 };
 
-/// `lamps`: indices of lights. For samples on hair alone: polygons cost the same either way.
+/// `lamps`: indices of lights. With a limit of time, of as many samples as shadow rays would allow.
 LampCost estimate_lamp_cost(const Scene& scene, const Options& options, std::span<const uint32_t> lamps);
 
 }  // namespace tress

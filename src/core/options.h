@@ -55,13 +55,13 @@ enum class MapKind : int { deep, opacity, clusters };  // of shadow maps
 inline constexpr int kMapKinds = 3;
 
 struct MapOptions {
-    int resolution = 512;  // texels of the longer side of a view
+    int resolution = 128;  // texels of the longer side of a view; finer costs time and memory, coarser sharpness
     int grid = 2;          // a quad light has grid x grid views
-    float near = 2.5f;     // texel widths next to a point that rays are traced through before a map is asked; 0: none
+    float near = 4;        // texel widths next to a point that rays are traced through before a map is asked; 0: none
 };
 
 struct DeepOptions {
-    float error = 0.01f;  // greatest error of transmittance by compression; 0: none is allowed
+    float error = 0.02f;  // greatest error of transmittance by compression; 0: none is allowed
 };
 
 struct OpacityOptions {

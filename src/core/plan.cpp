@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/plan.h"
 
+#include <cstdio>
+
 #include "core/error.h"
 #include "core/light_reach.h"
 
@@ -154,7 +156,7 @@ private:
     void list_shadow_maps() {
         plan_.direct = by(wanted_.by_ray, PathType::type1);
         plan_.crossing_gather = by(wanted_.by_ray, PathType::type3);
-        if (plan_.direct && plan_.hair_tree) plan_.lamp_maps = map_kind(options_.type1);
+        if (plan_.direct && plan_.hair_tree) plan_.lamp_maps = lamp_maps();
         if (plan_.crossing_gather) plan_.crossing_maps = map_kind(options_.type3);
         for (int kind = 0; kind < kMapKinds; ++kind) {
             TypeSet types{};
@@ -163,6 +165,23 @@ private:
             decide(stage::kShadowMaps[kind], plan_.shadow_maps(MapKind(kind)),
                    counted(plan_.lamps.size(), "lamp") + ", for " + type_list(types), "no type asks for them");
         }
+    }
+
+    std::optional<MapKind> lamp_maps() {
+        if (options_.type1 != LampMethod::automatic) return map_kind(options_.type1);
+        plan_.lamp_cost = estimate_lamp_cost(scene_, options_, plan_.lamps);
+        if (plan_.lamp_cost->maps_pay()) return MapKind::deep;
+        return {};
+    }
+
+    /// ", for about 12 core seconds where deep shadow maps would take 3 and 40 to make"; empty: nothing was estimated.
+    std::string estimate() const {
+        if (!plan_.lamp_cost) return "";
+        const LampCost& cost = *plan_.lamp_cost;
+        char text[160];
+        std::snprintf(text, sizeof text, ": an estimated %.2g core seconds by rays, %.2g by maps and %.2g to make them",
+                      cost.rays, cost.maps, cost.build);
+        return text;
     }
 
     /// "shadow rays" or the name of the maps.
@@ -195,7 +214,8 @@ private:
         plan_.sky = by(wanted_.by_ray, PathType::type2) && !plan_.environments.empty();
         for (int t = 0; t < kPathTypes; ++t) plan_.paths[t] = by(wanted_.by_path, PathType(t));
 
-        if (plan_.direct) build(stage::kType1, counted(plan_.lamps.size(), "lamp") + ", by " + asked(plan_.lamp_maps));
+        if (plan_.direct)
+            build(stage::kType1, counted(plan_.lamps.size(), "lamp") + ", by " + asked(plan_.lamp_maps) + estimate());
         if (plan_.sky)
             build(stage::kSky, counted(plan_.environments.size(), "environment") + ", by shadow rays through the hair");
         if (plan_.gather_rays()) {

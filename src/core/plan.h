@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/lamp_cost.h"
 #include "core/options.h"
 #include "core/path_type.h"
 #include "core/scene.h"
@@ -36,6 +37,7 @@ struct Plan {
     TypeSet paths{};               // traced as paths
 
     std::optional<MapKind> lamp_maps, crossing_maps;  // that types 1 and 3 ask; none: shadow rays
+    std::optional<LampCost> lamp_cost;                // by which type 1 was chosen, where it is auto
 
     bool gather_rays() const { return polygon_gather || crossing_gather; }
     bool shadow_maps(MapKind kind) const { return lamp_maps == kind || crossing_maps == kind; }

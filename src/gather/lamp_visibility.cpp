@@ -1,28 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "gather/lamp_visibility.h"
 
+#include "gather/shadow_maps/own_fiber.h"
+
 namespace tress {
-namespace {
-
-/// What a fiber across a map's middle of its own look-up covers of it: texels are boxes, look-ups are bilinear, so the
-/// weights across the fiber are a quadratic B-spline, 3/4 high at its middle (0.78 for a fiber along a diagonal).
-constexpr float kOwnWeight = 0.76f;
-
-/// A fiber shadows itself on its map: its fragments lie before and behind a point of its axis alike, so half of what it
-/// stops is taken out of the map's answer.
-Rgb without_own_fiber(const PreparedScene& prepared, const ShadowMap& map, const MapPlace& place, uint32_t segment,
-                      const Rgb& transmittance) {
-    const SegmentView& hair = prepared.segments;
-    const Vec3 axis = hair.end(segment) - hair.start(segment);
-    const Vec3 light = light_direction(map.view, place.at.x, place.at.y);
-    const float length = glm::length(axis), sine = length > 0 ? std::abs(dot(axis, light)) / length : 0;
-    const float width = 2 * hair.start_radius(segment), texel = texel_width(map.view, place.at.depth);
-    const float covered = texel > 0 ? std::min(1.0f, kOwnWeight * width / texel) : 1;
-    const Rgb stopped = 1.0f - exp(-prepared.attenuation.depth(segment, std::min(sine, 1.0f)));
-    return min(transmittance / (1.0f - 0.5f * covered * stopped), Rgb(1));
-}
-
-}  // namespace
 
 void LampRays::clear() {
     rays.clear();
@@ -46,20 +27,25 @@ void LampVisibility::ask_map(const Scene& scene, const PreparedScene& prepared, 
     const Light& lamp = scene.lights[light];
     const Vec3 origin = to.rays.origin(ray);
     const float distance = to.rays.far(ray);
+    beyond_[row] = Rgb(1);
+    if (to.segment[ray] == kNone && maps.points_of(light) > 1) return;  // a shadow of the lamp's points would show
     const auto place = [&](const Vec3& point) { return place_on(maps, lamp, light, to.u[ray], point); };
+    const Vec3 direction = to.rays.direction(ray);
     MapPlace at = place(origin);
     float traced = 0;
+    Rgb own(1);
     if (at.map && near > 0) {
         traced = std::min(near * texel_width(at.map->view, at.at.depth), distance);
-        at = place(origin + traced * to.rays.direction(ray));
+        at = place(origin + traced * direction);
+    } else if (at.map && to.segment[ray] != kNone) {
+        const OwnFiber fiber =
+            own_fiber(prepared.segments, prepared.attenuation, at.map->view, at.at, to.segment[ray], direction);
+        own = fiber.passed;
+        at = place(origin + std::min(fiber.radius, distance) * direction);
     }
-    beyond_[row] = Rgb(1);
     if (!at.map && !at.clear) traced = distance;
     open_.rays.set_far(row, traced);
-    if (!at.map || traced >= distance) return;
-    beyond_[row] = transmittance(*at.map, at.at);
-    if (near == 0 && to.segment[ray] != kNone)
-        beyond_[row] = without_own_fiber(prepared, *at.map, at, to.segment[ray], beyond_[row]);
+    if (at.map && traced < distance) beyond_[row] = transmittance(*at.map, at.at) / own;
 }
 
 void LampVisibility::operator()(const Scene& scene, const PreparedScene& prepared, const LampMaps* maps, float near,

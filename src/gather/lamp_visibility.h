@@ -3,7 +3,9 @@
 //
 // A map's texel is wider than many hairs: it cannot tell which of those next to a point shadow it, its own fiber least
 // of all. So the first texel widths are traced exactly (options.maps.near), which needs no depth bias, and the map is
-// asked from there on. Polygons always stop rays exactly.
+// asked from there on. Polygons always stop rays exactly. Points of polygons far behind the hair would see it from the
+// few points of a quad lamp that have maps, as steps in its shadow: from polygons, rays to quads are traced all the
+// way.
 #pragma once
 
 #include <span>

@@ -21,7 +21,7 @@ struct LampMaps {
     std::vector<ShadowMap> maps;
     int grid = 1;
 
-    bool empty() const { return first_point.empty(); }
+    uint32_t points_of(uint32_t light) const { return first_point[light + 1] - first_point[light]; }
 };
 
 /// `lamps`: indices of lights.
