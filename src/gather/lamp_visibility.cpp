@@ -38,8 +38,8 @@ void LampVisibility::ask_map(const Scene& scene, const PreparedScene& prepared, 
         traced = std::min(near * texel_width(at.map->view, at.at.depth), distance);
         at = place(origin + traced * direction);
     } else if (at.map && to.segment[ray] != kNone) {
-        const OwnFiber fiber =
-            own_fiber(prepared.segments, prepared.attenuation, at.map->view, at.at, to.segment[ray], direction);
+        const OwnFiber fiber = own_fiber(prepared.segments, prepared.attenuation, at.map->view, at.at, to.segment[ray],
+                                         direction, depth_blur(*at.map));
         own = fiber.passed;
         at = place(origin + std::min(fiber.radius, distance) * direction);
     }

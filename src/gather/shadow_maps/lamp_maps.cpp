@@ -4,8 +4,8 @@
 namespace tress {
 namespace {
 
-/// Views of all hair unless fitting them to what is seen saves some or makes them much sharper: with all hair inside, no
-/// look-up fails.
+/// Views of all hair unless fitting them to what is seen saves some or makes them much sharper: with all hair inside,
+/// no look-up fails.
 LampViews fit(const Light& light, const DVec3& point, const SegmentView& segments, const SeenHair& seen,
               int resolution) {
     constexpr double kSharper = 1.25;

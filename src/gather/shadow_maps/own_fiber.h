@@ -14,9 +14,10 @@ struct OwnFiber {
     Rgb passed;    // of the light through what of it a look-up still counts: its depth changes over the texels asked
 };
 
-/// Of a point on `segment` that falls at `at`; `to_light` is unit. Right on average: where a look-up happens to count
+/// Of a point on `segment` that falls at `at`; `to_light` is unit. `blur`: depth over which the map smears what lies at
+/// one depth. Right on average: where a look-up happens to count
 /// less of the fiber than it is divided by, more than all light is left, and cutting that off would darken the rest.
 OwnFiber own_fiber(const SegmentView& hair, const Attenuation& attenuation, const LightView& view, const ViewPoint& at,
-                   uint32_t segment, const Vec3& to_light);
+                   uint32_t segment, const Vec3& to_light, float blur);
 
 }  // namespace tress

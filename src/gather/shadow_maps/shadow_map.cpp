@@ -87,6 +87,11 @@ Rgb transmittance(const ShadowMap& map, const ViewPoint& at) {
         map.texels);
 }
 
+float depth_blur(const ShadowMap& map) {
+    const auto* layered = std::get_if<OpacityTexels>(&map.texels);
+    return layered && layered->layers > 0 ? layered->span / float(layered->layers) : 0;
+}
+
 size_t bytes(const ShadowMap& map) {
     return std::visit([](const auto& texels) { return bytes(texels); }, map.texels);
 }

@@ -24,6 +24,9 @@ ShadowMap make_shadow_map(const LightView& view, MapKind kind, const SegmentView
 /// What is left of the light at a point of the view: the texels about it, bilinear.
 Rgb transmittance(const ShadowMap& map, const ViewPoint& at);
 
+/// Over how much depth light falls that one hair stops, scene units: the thickness of layers; else 0.
+float depth_blur(const ShadowMap& map);
+
 size_t bytes(const ShadowMap& map);
 
 }  // namespace tress
