@@ -225,6 +225,8 @@ TEST_CASE("a polygon between stops all light, and points of polygons see quads b
 }
 
 // Without rays next to the point a map shows a fiber to itself: what it stops of its own light is taken out on average.
+// Of the 0.2 that it stops of a look-up here all but a twentieth is; a tenth where layers as thick as the fiber smear
+// it.
 TEST_CASE("a lone fiber does not shadow itself") {
     PlacedHair lone;
     lone.strands.constant_radius = 0.01f;
@@ -240,7 +242,7 @@ TEST_CASE("a lone fiber does not shadow itself") {
             options.maps.near = near;
             options.maps.resolution = 40;  // texels as wide as five fibers
             const Difference d = difference(lit({lone}, {}, PointLight{{0.3, 0.4, 6}, Rgb(1)}, options));
-            CHECK(std::abs(d.of_sign) < 0.01);
+            CHECK(std::abs(d.of_sign) < (kind == MapKind::opacity ? 0.02 : 0.01));
         }
 }
 
