@@ -13,14 +13,19 @@ namespace tress {
 
 /// The line of the greatest slope, up to `cap`, through all gaps [floor, ceiling] so far; right of them no other line
 /// is higher. The line of the least slope is that of the mirrored gaps [-ceiling, -floor].
-/// Invariant: hull[front ..] is the upper hull of those floors that the line can still come to touch.
+/// Invariant: hull[front .. last] is the upper hull of those floors that the line can still come to touch.
 struct SlopeLimit {
     static constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
+    /// Makes room for rows of so many gaps.
+    void reserve(size_t gaps) {
+        if (hull_.size() < gaps) hull_.resize(gaps);
+    }
+
     /// From here on only gaps with x > 0 count, in order, and the one at 0.
     void start(double floor, double ceiling, double greatest_slope) {
-        hull_.assign(1, {0, floor});
-        front_ = 0;
+        hull_[0] = {0, floor};
+        front_ = last_ = 0;
         x_ = 0, y_ = ceiling;
         slope_ = cap_ = greatest_slope;
     }
@@ -31,8 +36,9 @@ struct SlopeLimit {
     void add(double x, double floor, double ceiling) {
         if (ceiling < at(x)) hang_from({x, ceiling});
         const Point p{x, floor};
-        while (hull_.size() > front_ + 1 && !steeper(hull_[hull_.size() - 2], hull_.back(), p)) hull_.pop_back();
-        hull_.push_back(p);
+        size_t last = last_;
+        while (last > front_ && !steeper(hull_[last - 1], hull_[last], p)) --last;
+        hull_[last_ = last + 1] = p;
     }
 
 private:
@@ -48,14 +54,14 @@ private:
     /// The line through `top` that touches the hull. Where a point of the hull is passed over, no later line, which is
     /// less steep, comes back to it.
     void hang_from(const Point& top) {
-        while (front_ + 1 < hull_.size() && !steeper(hull_[front_ + 1], hull_[front_], top)) ++front_;
+        while (front_ < last_ && !steeper(hull_[front_ + 1], hull_[front_], top)) ++front_;
         const Point& touched = hull_[front_];
         x_ = top.x, y_ = top.y;
         slope_ = std::min((top.y - touched.y) / (top.x - touched.x), cap_);
     }
 
     std::vector<Point> hull_;
-    size_t front_ = 0;
+    size_t front_ = 0, last_ = 0;
     double x_ = 0, y_ = 0, slope_ = 0, cap_ = 0;
 };
 

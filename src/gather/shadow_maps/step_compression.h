@@ -45,7 +45,10 @@ private:
         double middle() const { return 0.5 * (low + high); }
         double nearest(double v) const { return v < low ? low : (v > high ? high : v); }
     };
-    using Ranges = std::array<Range, 3>;  // one a channel
+    // One a channel. What goes through steps has the number of channels, N, as a template argument: the loops over
+    // channels are short and innermost.
+    using Ranges = std::array<Range, 3>;
+    using Values = std::array<double, 3>;
 
     /// One node, or two where V' drops: all values that can be reached before, and those to go on from.
     struct Stop {
@@ -54,29 +57,48 @@ private:
         Ranges before, after;
     };
 
+    template <size_t N>
+    void compress(const StepFunction& steps, double bound, StepNodes& nodes);
+    template <size_t N>
     void merge(const StepFunction& steps, double bound);
 
     /// Allowed behind a step, up to the next; before one; and through one without a drop, which is none where the step
     /// is higher than twice the bound.
-    const Range& behind(uint32_t step, int c) const { return behind_[size_t(step) * channels_ + size_t(c)]; }
-    const Range& before(uint32_t step, int c) const { return behind(step - 1, c); }
-    Range through(uint32_t step, int c) const { return {before(step, c).low, behind(step, c).high}; }
+    template <size_t N>
+    const Range& behind(uint32_t step, size_t c) const {
+        return behind_[step * N + c];
+    }
+    template <size_t N>
+    const Range& before(uint32_t step, size_t c) const {
+        return behind<N>(step - 1, c);
+    }
+    template <size_t N>
+    Range through(uint32_t step, size_t c) const {
+        return {before<N>(step, c).low, behind<N>(step, c).high};
+    }
 
-    Range reached(const Range& allowed, int c, double x) const;
+    Range reached(const Range& allowed, size_t c, double x) const;
+    template <size_t N>
     bool joins(uint32_t step, double x, Ranges& ranges) const;
+    template <size_t N>
     bool drops(uint32_t step, double x, Ranges& ranges) const;
+    template <size_t N>
     void drop_from(Stop& stop) const;
+    template <size_t N>
     Stop first_stop() const;
+    template <size_t N>
     Stop next_stop(const Stop& from);
+    template <size_t N>
     bool can_rest(const Stop& stop) const;
-    double settle(const Stop& from, const Stop& to, int c, double end) const;
+    template <size_t N>
+    void settle(const Stop& from, const Stop& to, Values& values) const;
+    template <size_t N>
     void write(StepNodes& nodes) const;
 
-    size_t channels_ = 1;
     double slack_ = 0;           // that the way back has more than the way forth
     std::vector<double> depth_;  // one a step of some height
     std::vector<Range> behind_;  // on the way forth; channels side by side
-    double rest_[3] = {};        // V behind all steps
+    Values rest_{};              // V behind all steps
     SlopeLimit flattest_[3], steepest_[3];
     std::vector<Stop> stops_;
 };
