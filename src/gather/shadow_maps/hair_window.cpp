@@ -4,10 +4,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
+
 namespace tress {
 namespace {
 
-constexpr size_t kGrain = 8192;  // segments a task: a few milliseconds
+constexpr size_t kBlock = 8;              // segments, neighbours on a strand mostly, that are passed over together
+constexpr size_t kGrain = 1024 * kBlock;  // segments a task: a few milliseconds at most
 
 bool is_face(const HairWindow& window) { return !window.limits.contains(kEverywhere); }
 
@@ -54,6 +57,28 @@ bool is_known(const HairWindow& window, const HairBall& ball, const HairFound& f
     return found.hair.contains(rectangle) && center.z - ball.radius >= found.nearest;
 }
 
+/// Adds segment `s` where it tells something new.
+void add_segment(std::span<const HairWindow> windows, const LitCone& cone, const SegmentView& segments, size_t s,
+                 HairSearch& search) {
+    const HairBall ball = ball_about(segments, s);
+    for (size_t i = 0; i < windows.size(); ++i) {
+        HairFound& found = search.found[i];
+        if (is_known(windows[i], ball, found, search.left_out)) continue;
+        const bool is_lit = cone.reaches(ball.center, ball.radius);
+        if (add(windows[i], in_view(windows[i].view, segments, s), is_lit, found)) search.left_out = true;
+    }
+}
+
+void add_block(std::span<const HairWindow> windows, const LitCone& cone, const SegmentView& segments, size_t first,
+               size_t last, HairSearch& search) {
+    const HairBall ball = ball_about(segments, first, last);
+    bool is_all_known = true;
+    for (size_t i = 0; i < windows.size(); ++i)
+        is_all_known = is_all_known && is_known(windows[i], ball, search.found[i], search.left_out);
+    if (is_all_known) return;
+    for (size_t s = first; s < last; ++s) add_segment(windows, cone, segments, s, search);
+}
+
 void join(HairSearch& to, const HairSearch& from) {
     for (size_t i = 0; i < to.found.size(); ++i) {
         to.found[i].hair.add(from.found[i].hair);
@@ -75,21 +100,27 @@ HairBall ball_about(const SegmentView& segments, size_t segment) {
     return {0.5 * (a + b), 0.5 * distance(a, b) + double(radius)};
 }
 
+HairBall ball_about(const SegmentView& segments, size_t first, size_t last) {
+    Bounds box;
+    float radius = 0;
+    for (size_t s = first; s < last; ++s) {
+        box.add(segments.start(s));
+        const bool is_linked = s + 1 < last && segments.point[s + 1] == segments.point[s] + 1;
+        if (!is_linked) box.add(segments.end(s));
+        radius = glm::max(radius, glm::max(segments.start_radius(s), segments.end_radius(s)));
+    }
+    const DVec3 low(box.lo), high(box.hi);
+    return {0.5 * (low + high), 0.5 * distance(low, high) + double(radius)};
+}
+
 /// Minima and maxima alone are joined, so the order of tasks does not matter.
 HairSearch find_hair(std::span<const HairWindow> windows, const LitCone& cone, const SegmentView& segments) {
     const HairSearch none{std::vector<HairFound>(windows.size()), false};
     return tbb::parallel_reduce(
         tbb::blocked_range<size_t>(0, segments.size(), kGrain), none,
         [&](const tbb::blocked_range<size_t>& range, HairSearch search) {
-            for (size_t s = range.begin(); s < range.end(); ++s) {
-                const HairBall ball = ball_about(segments, s);
-                for (size_t i = 0; i < windows.size(); ++i) {
-                    HairFound& found = search.found[i];
-                    if (is_known(windows[i], ball, found, search.left_out)) continue;
-                    const bool is_lit = cone.reaches(ball.center, ball.radius);
-                    if (add(windows[i], in_view(windows[i].view, segments, s), is_lit, found)) search.left_out = true;
-                }
-            }
+            for (size_t s = range.begin(); s < range.end(); s += kBlock)
+                add_block(windows, cone, segments, s, std::min(s + kBlock, range.end()), search);
             return search;
         },
         [](HairSearch a, const HairSearch& b) {

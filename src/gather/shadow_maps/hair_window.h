@@ -39,11 +39,12 @@ inline Projection projection_of(const LightView& view) {
     return view.parallel ? Projection::parallel : Projection::pinhole;
 }
 
-/// A ball about a segment.
+/// A ball about a segment, or about segments [first, last).
 struct HairBall {
     DVec3 center;
     double radius;
 };
 HairBall ball_about(const SegmentView& segments, size_t segment);
+HairBall ball_about(const SegmentView& segments, size_t first, size_t last);
 
 }  // namespace tress
