@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gather/shadow_maps/hair_fragments.h"
 
+#include <hwy/cache_control.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -10,9 +11,13 @@
 #include "gather/shadow_maps/draw_ribbon.h"
 #include "gather/shadow_maps/fragment_sorter.h"
 #include "gather/shadow_maps/tile_bins.h"
+#include "gather/shadow_maps/tile_pieces.h"
 
 namespace tress {
 namespace {
+
+/// Pieces that are fetched before they are drawn: those of a full tile fill more than the nearer caches.
+constexpr size_t kAhead = 8;
 
 struct Scratch {
     std::vector<RibbonPiece> pieces;
@@ -58,12 +63,13 @@ void draw_whole(const HairInView& hair, const TexelRect& rect, uint32_t index, R
 void draw_tile(const HairInView& hair, const TileBins& bins, float opaque, int tile, Scratch& s) {
     const glm::ivec2 low(tile % tiles_across(hair.view) * kViewTile, tile / tiles_across(hair.view) * kViewTile);
     const TexelRect rect{low, min(low + kViewTile, glm::ivec2(hair.view.width, hair.view.height))};
-    s.pieces.clear();
-    for (const TileBins::Name& name : bins.of(tile)) s.pieces.push_back(bins.piece(name));
+    cut_into_pieces(hair, bins.of(tile), rect, s.pieces);
     sort_roughly(s);
     s.sorter.begin(hair.channels, s.pieces.size(), opaque);
     const auto take = [&](int texel, float coverage, float depth) { s.sorter.add(texel, coverage, depth); };
-    for (const uint32_t index : s.order) {
+    for (size_t i = 0; i < s.order.size(); ++i) {
+        hwy::Prefetch(&s.pieces[s.order[std::min(i + kAhead, s.order.size() - 1)]]);
+        const uint32_t index = s.order[i];
         RibbonPiece& piece = s.pieces[index];
         if (piece.shape != uint16_t(Ribbon::Shape::thin)) {
             draw_whole(hair, rect, index, piece, s.sorter, take);
@@ -90,7 +96,7 @@ bool colors_light(const Attenuation& attenuation) {
 void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation, float opaque,
                   const std::function<void(int tile, FragmentTile& fragments)>& take) {
     const HairInView hair{view, segments, attenuation, colors_light(attenuation) ? 3 : 1};
-    const TileBins bins = bin_pieces(hair);
+    const TileBins bins = bin_segments(view, segments);
     tbb::enumerable_thread_specific<Scratch> scratch;
     tbb::parallel_for(0, tile_count(view), [&](int tile) {
         Scratch& s = scratch.local();

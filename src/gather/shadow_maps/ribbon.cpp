@@ -6,9 +6,6 @@
 namespace tress {
 namespace {
 
-/// Widest thin ribbon, from its axis: its ends are wrong by at most 1/32 of a texel's area.
-constexpr double kThin = 0.25;
-
 /// Sine between axis and light below which the hair tree takes them for parallel (accel/segment_test-inl.h).
 constexpr double kParallel = 1e-6;
 

@@ -17,6 +17,9 @@ struct TexelRect {
     glm::ivec2 low, high;
 };
 
+/// Widest thin ribbon, from its axis, texels: its ends are wrong by at most 1/32 of a texel's area.
+inline constexpr double kThin = 0.25;
+
 struct Ribbon {
     /// thin: narrower than a texel; it ends along the minor axis, which moves no more than half_width^2 / 2 of a
     /// texel's area an end. wide: a quadrilateral. dot: the axis runs along the light, and what is seen is a disc.

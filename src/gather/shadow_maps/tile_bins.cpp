@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "gather/shadow_maps/hair_window.h"
+#include "gather/shadow_maps/ribbon.h"
+
 namespace tress {
 namespace {
 
@@ -12,158 +15,106 @@ namespace {
 /// which the result would then depend; enough for any.
 constexpr size_t kParts = 64;
 
-/// What a part holds beside its pieces.
+/// A dot's outline (ribbon.cpp) reaches farther than its radius by 1.3 %, and texels are rounded.
+constexpr double kOutline = 1.02;
+
+/// What a part holds: segments in tiles.
 struct PartTiles {
-    std::vector<uint32_t> piece, tile;  // one a piece in a tile
-    std::vector<uint64_t> placed;       // one a tile: how many of it; then where the next goes
+    std::vector<uint32_t> segment, tile;  // one a segment in a tile
+    std::vector<uint64_t> placed;         // one a tile: how many of it; then where the next goes
 };
 
-/// Box [low, high] of texels, as numbers.
-struct Box {
-    glm::dvec2 low{1e300}, high{-1e300};
-    void add(const glm::dvec2& p) { low = min(low, p), high = max(high, p); }
+/// A view and what of its plane its texels cover.
+struct TileGrid {
+    explicit TileGrid(const LightView& v)
+        : view(v), projection(projection_of(v)), whole{v.low, v.low + glm::dvec2(v.width, v.height) * v.texel} {}
+
+    /// Tiles [low, high) that a rectangle touches. A thin ribbon reaches kThin of a texel beyond its axis.
+    TexelRect touched_by(const ViewRectangle& r) const {
+        const glm::dvec2 low = (r.low - view.low) / view.texel - kThin, high = (r.high - view.low) / view.texel + kThin;
+        const glm::dvec2 size(view.width, view.height);
+        if (!(low.x < size.x && low.y < size.y && high.x > 0 && high.y > 0)) return {{0, 0}, {0, 0}};
+        const glm::ivec2 tiles(tiles_across(view), tiles_down(view));
+        return {glm::ivec2(max(low, 0.0)) / kViewTile, min(glm::ivec2(min(high, size)) / kViewTile + 1, tiles)};
+    }
+
+    LightView view;
+    Projection projection;
+    ViewRectangle whole;
 };
 
-/// Box of a thin ribbon between two places of its major axis; of nothing where there is none.
-Box thin_box(const Ribbon& r, double from, double to) {
-    Box box;
-    const int major = r.major, minor = 1 - major;
-    from = std::max(from, r.at[0][major]), to = std::min(to, r.at[1][major]);
-    if (!(from <= to)) return box;
-    for (const double at : {from, to}) {
-        const double u = (at - r.at[0][major]) / (r.at[1][major] - r.at[0][major]);
-        glm::dvec2 p(0);
-        p[major] = at;
-        p[minor] = r.at[0][minor] + u * (r.at[1][minor] - r.at[0][minor]);
-        glm::dvec2 across(0);
-        across[minor] = std::max(r.half_width[0], r.half_width[1]);
-        box.add(p - across), box.add(p + across);
-    }
-    return box;
+/// An end of a segment.
+struct EndInView {
+    uint32_t point;
+    DVec3 center;
+    double radius;
+    ViewRectangle about;  // the ball at the end
+};
+
+EndInView end_in_view(const TileGrid& grid, uint32_t point, const Vec3& at, float radius) {
+    EndInView end{point, to_local(grid.view, DVec3(at)), kOutline * double(radius), {}};
+    end.about = rectangle_about_ball(end.center, end.radius, grid.projection);
+    return end;
 }
 
-/// Tiles [low, high) that a box touches.
-TexelRect tiles_of(const LightView& view, const Box& box) {
-    const auto index = [](double texel, int size) {
-        return int(std::clamp(texel, 0.0, double(size))) / kViewTile;  // towards zero is down
-    };
-    TexelRect tiles{{0, 0}, {0, 0}};
-    if (!(box.low.x < view.width && box.low.y < view.height && box.high.x > 0 && box.high.y > 0)) return tiles;
-    tiles.low = {index(box.low.x, view.width), index(box.low.y, view.height)};
-    tiles.high = {std::min(index(box.high.x, view.width) + 1, tiles_across(view)),
-                  std::min(index(box.high.y, view.height) + 1, tiles_down(view))};
-    return tiles;
+/// A rectangle about what of a segment may lie in the view.
+ViewRectangle rectangle_about(const TileGrid& grid, const EndInView& start, const EndInView& end) {
+    ViewRectangle r = start.about;
+    r.add(end.about);
+    if (!r.contains(kEverywhere)) return r;
+    // It comes near a pinhole's plane or crosses it.
+    const ViewHair hair{{start.center, end.center}, {start.radius, end.radius}};
+    const auto part =
+        clip(hair, grown(grid.whole, kThin * glm::max(grid.view.texel.x, grid.view.texel.y)), grid.projection);
+    return part ? rectangle_of(*part, grid.projection) : ViewRectangle{};
 }
 
-/// Whether all of a tile lies outside one edge of a convex outline.
-bool misses(const RibbonOutline& o, const glm::ivec2& tile) {
-    const glm::dvec2 middle = (glm::dvec2(tile) + 0.5) * double(kViewTile);
-    double area = 0;
-    for (int k = 0; k < o.corners; ++k) {
-        const glm::dvec2 p = o.corner[size_t(k)], q = o.corner[size_t((k + 1) % o.corners)];
-        area += p.x * q.y - p.y * q.x;
-    }
-    for (int k = 0; k < o.corners; ++k) {
-        const glm::dvec2 p = o.corner[size_t(k)];
-        const glm::dvec2 edge = o.corner[size_t((k + 1) % o.corners)] - p, from = middle - p;
-        const double inward = (area < 0 ? -1 : 1) * (edge.x * from.y - edge.y * from.x);
-        if (inward < -0.5 * kViewTile * (std::abs(edge.x) + std::abs(edge.y))) return true;
-    }
-    return false;
-}
-
-template <class Take>
-void for_each_tile(const LightView& view, const Ribbon& r, const Take& take) {
-    if (r.shape != Ribbon::Shape::thin) {
-        const RibbonOutline o = outline(view, r);
-        Box box;
-        for (int k = 0; k < o.corners; ++k) box.add(o.corner[size_t(k)]);
-        const TexelRect tiles = tiles_of(view, box);
-        const bool one = tiles.high.x - tiles.low.x == 1 && tiles.high.y - tiles.low.y == 1;
-        for (int y = tiles.low.y; y < tiles.high.y; ++y)
-            for (int x = tiles.low.x; x < tiles.high.x; ++x)
-                if (one || !misses(o, {x, y})) take(x, y);
-        return;
-    }
-    const int major = r.major;
-    const TexelRect all = tiles_of(view, thin_box(r, r.at[0][major], r.at[1][major]));
-    const bool straight = all.high[0] - all.low[0] <= 1 || all.high[1] - all.low[1] <= 1;
-    for (int i = all.low[major]; i < all.high[major]; ++i) {
-        TexelRect tiles = all;
-        if (!straight) tiles = tiles_of(view, thin_box(r, i * kViewTile, (i + 1) * kViewTile));
-        for (int j = tiles.low[1 - major]; j < tiles.high[1 - major]; ++j) major == 0 ? take(i, j) : take(j, i);
-    }
-}
-
-/// Calls `take(piece)` for the pieces of a thin ribbon in one tile, cut at columns of texels.
-template <class Take>
-void cut_into_pieces(const HairInView& hair, const Ribbon& r, uint32_t segment, const glm::ivec2& corner,
-                     const Take& take) {
-    const int major = r.major;
-    const int end = std::min(corner[major] + kViewTile, major == 0 ? hair.view.width : hair.view.height);
-    const double from = std::max(r.at[0][major], double(corner[major]));
-    const double to = std::min(r.at[1][major], double(end));
-    if (!(from < to)) return;
-    for (int first = int(from); first < to; first += kPieceTexels) {
-        const double low = std::max(from, double(first)), high = std::min(to, double(first + kPieceTexels));
-        RibbonPiece piece = cut_thin(hair.view, r, low, high, corner);
-        const double u = (0.5 * (low + high) - r.at[0][major]) / (r.at[1][major] - r.at[0][major]);
-        const glm::dvec2 middle = r.at[0] + u * (r.at[1] - r.at[0]);
-        piece.segment = segment;
-        piece.stopped = stopped_light(hair, r, segment, middle);
-        take(piece);
-    }
-}
-
-void bin_part(const HairInView& hair, size_t first, size_t last, std::vector<RibbonPiece>& pieces, PartTiles& tiles) {
-    tiles.placed.assign(size_t(tile_count(hair.view)), 0);
-    const size_t likely = (last - first) * 3 / 2;  // where segments are a few texels long and all are seen
-    pieces.reserve(likely), tiles.piece.reserve(likely), tiles.tile.reserve(likely);
+void bin_part(const TileGrid& grid, const SegmentView& segments, size_t first, size_t last, PartTiles& part) {
+    part.placed.assign(size_t(tile_count(grid.view)), 0);
+    const size_t likely = (last - first) * 5 / 4;  // where segments are a few texels long and all are seen
+    part.segment.reserve(likely), part.tile.reserve(likely);
+    const int across = tiles_across(grid.view);
+    EndInView end{};
     for (size_t s = first; s < last; ++s) {
-        const std::optional<Ribbon> ribbon = make_ribbon(hair.view, hair.segments, uint32_t(s));
-        if (!ribbon) continue;
-        const bool thin = ribbon->shape == Ribbon::Shape::thin;
-        if (!thin) pieces.push_back(whole_piece(hair.view, *ribbon, uint32_t(s)));
-        for_each_tile(hair.view, *ribbon, [&](int x, int y) {
-            const auto add = [&, tile = uint32_t(y * tiles_across(hair.view) + x)] {
-                tiles.piece.push_back(uint32_t(pieces.size() - 1));
-                tiles.tile.push_back(tile);
-                ++tiles.placed[tile];
-            };
-            if (!thin) return add();
-            cut_into_pieces(hair, *ribbon, uint32_t(s), glm::ivec2(x, y) * kViewTile, [&](const RibbonPiece& piece) {
-                pieces.push_back(piece);
-                add();
-            });
-        });
+        const uint32_t point = segments.point[s];
+        const bool is_linked = s > first && end.point == point;
+        const EndInView start = is_linked ? end : end_in_view(grid, point, segments.start(s), segments.start_radius(s));
+        end = end_in_view(grid, point + 1, segments.end(s), segments.end_radius(s));
+        const TexelRect tiles = grid.touched_by(rectangle_about(grid, start, end));
+        for (int y = tiles.low.y; y < tiles.high.y; ++y)
+            for (int x = tiles.low.x; x < tiles.high.x; ++x) {
+                const uint32_t tile = uint32_t(y * across + x);
+                part.segment.push_back(uint32_t(s));
+                part.tile.push_back(tile);
+                ++part.placed[tile];
+            }
     }
 }
 
 }  // namespace
 
-TileBins bin_pieces(const HairInView& hair) {
-    TileBins bins;
-    bins.part.resize(kParts);
-    const size_t segments = hair.segments.size();
+TileBins bin_segments(const LightView& view, const SegmentView& segments) {
+    const TileGrid grid(view);
+    const size_t count = segments.size();
     std::vector<PartTiles> parts(kParts);
     tbb::parallel_for(size_t(0), kParts, [&](size_t k) {
-        bin_part(hair, segments * k / kParts, segments * (k + 1) / kParts, bins.part[k], parts[k]);
+        bin_part(grid, segments, count * k / kParts, count * (k + 1) / kParts, parts[k]);
     });
+    TileBins bins;
     uint64_t total = 0;
-    for (size_t tile = 0; tile < size_t(tile_count(hair.view)); ++tile) {
+    for (size_t tile = 0; tile < size_t(tile_count(view)); ++tile) {
         bins.first.push_back(total);
         for (PartTiles& part : parts) {
-            const uint64_t count = part.placed[tile];
+            const uint64_t placed = part.placed[tile];
             part.placed[tile] = total;
-            total += count;
+            total += placed;
         }
     }
     bins.first.push_back(total);
-    bins.name.resize(total);
+    bins.segment.resize(total);
     tbb::parallel_for(size_t(0), kParts, [&](size_t k) {
         PartTiles& part = parts[k];
-        for (size_t i = 0; i < part.tile.size(); ++i)
-            bins.name[part.placed[part.tile[i]]++] = {uint32_t(k), part.piece[i]};
+        for (size_t i = 0; i < part.tile.size(); ++i) bins.segment[part.placed[part.tile[i]]++] = part.segment[i];
         part = {};
     });
     return bins;
