@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "gather/shadow_maps/lamp_maps.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <iterator>
+
 namespace tress {
 namespace {
 
@@ -18,6 +24,22 @@ LampViews fit(const Light& light, const DVec3& point, const SegmentView& segment
     return fewer || sharper ? of_seen : of_all;
 }
 
+/// A point of a lamp, with its maps once they are made.
+struct LampPoint {
+    const Light* lamp;
+    DVec3 at;
+    bool complete;
+    std::vector<ShadowMap> maps;
+};
+
+void make_maps(LampPoint& point, MapKind kind, const SegmentView& segments, const SeenHair& seen,
+               const Attenuation& attenuation, const Options& options) {
+    const LampViews fitted = fit(*point.lamp, point.at, segments, seen, options.maps.resolution);
+    point.complete = fitted.complete;
+    for (const LightView& view : fitted.views)
+        point.maps.push_back(make_shadow_map(view, kind, segments, attenuation, options));
+}
+
 }  // namespace
 
 LampMaps make_lamp_maps(std::span<const Light> lights, std::span<const uint32_t> lamps, MapKind kind,
@@ -26,21 +48,26 @@ LampMaps make_lamp_maps(std::span<const Light> lights, std::span<const uint32_t>
     LampMaps to;
     to.grid = options.maps.grid;
     to.first_point.assign(lights.size() + 1, 0);
-    to.first_map = {0};
     std::vector<uint8_t> is_lamp(lights.size(), 0);
     for (const uint32_t lamp : lamps) is_lamp[lamp] = 1;
+    std::vector<LampPoint> points;
     for (size_t light = 0; light < lights.size(); ++light) {
-        to.first_point[light] = uint32_t(to.complete.size());
+        to.first_point[light] = uint32_t(points.size());
         if (!is_lamp[light]) continue;
-        for (const DVec3& point : view_points(lights[light], to.grid)) {
-            const LampViews fitted = fit(lights[light], point, segments, seen, options.maps.resolution);
-            for (const LightView& view : fitted.views)
-                to.maps.push_back(make_shadow_map(view, kind, segments, attenuation, options));
-            to.first_map.push_back(uint32_t(to.maps.size()));
-            to.complete.push_back(fitted.complete);
-        }
+        for (const DVec3& at : view_points(lights[light], to.grid)) points.push_back({&lights[light], at, false, {}});
     }
-    to.first_point.back() = uint32_t(to.complete.size());
+    to.first_point.back() = uint32_t(points.size());
+
+    // A thread that waits for others at one point takes no other point up: as many are under way as there are threads.
+    tbb::parallel_for(size_t(0), points.size(), [&](size_t p) {
+        tbb::this_task_arena::isolate([&] { make_maps(points[p], kind, segments, seen, attenuation, options); });
+    });
+    to.first_map = {0};
+    for (LampPoint& point : points) {
+        std::move(point.maps.begin(), point.maps.end(), std::back_inserter(to.maps));
+        to.first_map.push_back(uint32_t(to.maps.size()));
+        to.complete.push_back(point.complete);
+    }
     return to;
 }
 

@@ -24,7 +24,7 @@ struct LampMaps {
     uint32_t points_of(uint32_t light) const { return first_point[light + 1] - first_point[light]; }
 };
 
-/// `lamps`: indices of lights.
+/// `lamps`: indices of lights. In parallel; the same for any number of threads.
 LampMaps make_lamp_maps(std::span<const Light> lights, std::span<const uint32_t> lamps, MapKind kind,
                         const SegmentView& segments, const SeenHair& seen, const Attenuation& attenuation,
                         const Options& options);
