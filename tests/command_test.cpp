@@ -7,6 +7,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "core/plan.h"
 #include "io/exr_file.h"
 #include "tests/run_command.h"
 
@@ -109,6 +110,29 @@ TEST_CASE("--fiber changes the hair's colour, and contradictions are said in one
         CHECK(run_tress({"plan", scene, "--set", bad}).exit_code == 2);
 }
 
+TEST_CASE("maps of shadows are options like others, and auto says what it expected and what it took") {
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene), exr = folder.file("a.exr");
+    const char* const methods[] = {"deep", "opacity", "clusters"};
+    for (int kind = 0; kind < kMapKinds; ++kind) {
+        const char* type1 = methods[kind];
+        CAPTURE(type1);
+        const CommandResult r = run_tress({"render", scene, "-o", exr, "--quiet", "--type1", type1, "--type3",
+                                           std::string("ray+") + type1, "--stats", folder.file("a.json")});
+        CAPTURE(r.error);
+        REQUIRE(r.exit_code == 0);
+        const auto stages = nlohmann::json::parse(read_bytes(folder.file("a.json")))["stages"];
+        CHECK(std::any_of(stages.begin(), stages.end(),
+                          [&](const auto& row) { return row["name"] == stage::kShadowMaps[kind]; }));
+    }
+    const CommandResult chosen = run_tress({"render", scene, "-o", exr, "--type1", "auto"});
+    CHECK(chosen.exit_code == 0);
+    CHECK(chosen.error.find("type 1: by shadow rays, estimated") != std::string::npos);
+    for (const char* bad : {"maps.resolution=0", "maps.resolution=1e9", "maps.grid=17", "maps.near=-1",
+                            "deep.error=nan", "opacity.layers=0", "clusters.count=65", "type3=deep"})
+        check_refused(run_tress({"plan", scene, "--set", bad}));
+}
+
 TEST_CASE("show sets layers and sums of layers side by side") {
     const Folder folder;
     const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene), exr = folder.file("a.exr");
@@ -119,6 +143,8 @@ TEST_CASE("show sets layers and sums of layers side by side") {
     CAPTURE(r.error);
     REQUIRE(r.exit_code == 0);
     CHECK(uint8_t(read_bytes(png)[19]) == 3 * 32);  // low byte of the width
+    REQUIRE(run_tress({"show", exr, exr, "-o", png, "--panel", "type1", "--panel", "depth"}).exit_code == 0);
+    CHECK(uint8_t(read_bytes(png)[19]) == 4 * 32);
     REQUIRE(run_tress({"show", exr, "-o", png}).exit_code == 0);
     CHECK(read_bytes(png) == read_bytes(folder.file("a.png")));
     check_refused(run_tress({"show", exr, "-o", png, "--panel", "type9"}));

@@ -51,15 +51,19 @@ TEST_CASE("every stage is either built or left out, once") {
     Options off;
     off.type1 = LampMethod::off;
     off.type2 = GatherMethod::off;
+    Options maps;
+    maps.type1 = LampMethod::clusters;
+    maps.type3 = CrossingMethod::ray_deep;
     const std::vector<Light> lights = {PointLight{}, EnvironmentLight{}};
     const PlacedHair hair = upright_fibers({{0, 0}}, 1, 0.1f, white_fiber());
-    for (const Options& options : {Options{}, off})
+    for (const Options& options : {Options{}, off, maps})
         for (const Scene& scene : {assemble({}, {}, {}, {}), assemble({hair}, {}, lights, {}),
                                    assemble({hair}, {square(1, Rgb(1))}, lights, {})}) {
             const Plan plan = make_plan(scene, options);
             for (const char* name :
                  {stage::kHairTree, stage::kMeshTree, stage::kAttenuation, stage::kHairColors, stage::kEnvironment,
-                  stage::kPhotons, stage::kPhotonMap, stage::kShownPhotons, stage::kCameraRays}) {
+                  stage::kPhotons, stage::kPhotonMap, stage::kShownPhotons, stage::kCameraRays, stage::kShadowMaps[0],
+                  stage::kShadowMaps[1], stage::kShadowMaps[2]}) {
                 CAPTURE(name);
                 CHECK(bool(find(plan.stages, name)) != bool(find(plan.left_out, name)));
             }

@@ -18,7 +18,8 @@ namespace {
 constexpr float kMostStops = 40;
 
 struct ShowArguments {
-    std::string picture, output;
+    std::vector<std::string> pictures;
+    std::string output;
     std::vector<std::string> panels;  // each: names of layers with + between; empty: the beauty
     float exposure = 0;
 };
@@ -34,9 +35,18 @@ Image panel_image(const LayeredImage& picture, const std::string& names, const s
     return sum;
 }
 
-void paste(const Image& panel, int left, Image& to) {
-    for (int y = 0; y < panel.height; ++y)
-        for (int x = 0; x < panel.width; ++x) to.at(left + x, y) = panel.at(x, y);
+/// From left to right, as high as the highest.
+Image side_by_side(const std::vector<Image>& panels) {
+    int width = 0, height = 0;
+    for (const Image& panel : panels) width += panel.width, height = std::max(height, panel.height);
+    Image all = make_image(width, height);
+    int left = 0;
+    for (const Image& panel : panels) {
+        for (int y = 0; y < panel.height; ++y)
+            for (int x = 0; x < panel.width; ++x) all.at(left + x, y) = panel.at(x, y);
+        left += panel.width;
+    }
+    return all;
 }
 
 void show(ShowArguments arguments) {
@@ -44,20 +54,21 @@ void show(ShowArguments arguments) {
         throw InputError("--exposure", std::to_string(arguments.exposure) + ", expected a number from -40 to 40");
     check_writable(arguments.output);
     if (arguments.panels.empty()) arguments.panels = {""};
-    const LayeredImage picture = read_exr(arguments.picture);
-    Image all = make_image(picture.width * int(arguments.panels.size()), picture.height);
-    for (size_t i = 0; i < arguments.panels.size(); ++i)
-        paste(tone_map(panel_image(picture, arguments.panels[i], arguments.picture), arguments.exposure),
-              picture.width * int(i), all);
-    write_png(arguments.output, all);
+    std::vector<Image> panels;
+    for (const std::string& name : arguments.pictures) {
+        const LayeredImage picture = read_exr(name);
+        for (const std::string& panel : arguments.panels)
+            panels.push_back(tone_map(panel_image(picture, panel, name), arguments.exposure));
+    }
+    write_png(arguments.output, side_by_side(panels));
 }
 
 }  // namespace
 
 void add_show_command(CLI::App& app) {
     const auto arguments = std::make_shared<ShowArguments>();
-    CLI::App* command = app.add_subcommand("show", "layers of a picture as a PNG, side by side");
-    command->add_option("picture", arguments->picture, "OpenEXR file")->required();
+    CLI::App* command = app.add_subcommand("show", "layers of pictures as a PNG, side by side");
+    command->add_option("picture", arguments->pictures, "OpenEXR files")->required();
     command->add_option("-o,--output", arguments->output, "the PNG")->required();
     command
         ->add_option("--panel", arguments->panels,
