@@ -105,6 +105,7 @@ std::vector<OptionField> option_fields(Options& o) {
         {"maps.resolution", &m.resolution, 1, 16384, "texels of the longer side of a lamp's view of the hair"},
         {"maps.grid", &m.grid, 1, 16, "a quad light has grid x grid shadow maps"},
         {"maps.near", &m.near, 0, 1e6, "texel widths next to a point that are traced exactly; 0: none"},
+        {"maps.near_crossings", &m.near_crossings, 0, 1e6, "the same next to crossings of gather rays (type 3)"},
         {"deep.error", &o.deep.error, 0, 0.5, "greatest error of transmittance by compression"},
         {"opacity.layers", &o.opacity.layers, 1, 1024, "of optical depth"},
         {"opacity.follow", &o.opacity.follow, 0, 0, "layers start at the first hair of each texel"},

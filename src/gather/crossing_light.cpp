@@ -10,8 +10,6 @@ namespace {
 
 constexpr size_t kBatch = 1024;  // gather rays at a time: their crossings are some ten times as many
 
-constexpr float kNearCrossings = 0;  // texel widths traced before a map is asked: light that scattered forgives more
-
 constexpr uint32_t kSweepDimension = 0, kFirstCrossingDimension = kSobolGroup;
 
 /// Each crossing that counts has a group for the lamp to keep, and one for each lamp.
@@ -110,7 +108,7 @@ void CrossingLight::operator()(const Scene& scene, const PreparedScene& prepared
             if (crossing[i] < crossing[i + 1])
                 add_shadow_rays(scene, prepared, options, lamps, gather, first + i, crossing[i], crossing[i + 1]);
         visibility_.resize(shadow_rays_.size());
-        query_(scene, prepared, maps, kNearCrossings, options, shadow_rays_, visibility_);
+        query_(scene, prepared, maps, options.maps.near_crossings, options, shadow_rays_, visibility_);
         for (size_t i = 0; i < shadow_rays_.size(); ++i) radiance[row_[i]] += unshadowed_[i] * visibility_[i];
     }
 }
