@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "gather/shadow_maps/shadow_map.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include "gather/shadow_maps/hair_window.h"
+
 namespace tress {
 namespace {
 
@@ -22,16 +27,29 @@ Texels assemble_tiles(const LightView& view, const SegmentView& segments, const 
     return all;
 }
 
-/// Depths of the nearest and the farthest end of a segment in the view.
+DepthRange joined(const DepthRange& a, const DepthRange& b) {
+    return {std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
+}
+
+/// Depths between which axes of fibers run in the view: of what lies in it of each, since its ends may not.
 DepthRange depth_range(const LightView& view, const SegmentView& segments) {
-    DepthRange range{kInfinity, -kInfinity};
-    for (size_t i = 0; i < segments.size(); ++i)
-        for (const Vec3& end : {segments.start(i), segments.end(i)}) {
-            const ViewPoint p = project(view, end);
-            if (!contains(view, p)) continue;
-            range.nearest = std::min(range.nearest, p.depth);
-            range.farthest = std::max(range.farthest, p.depth);
-        }
+    constexpr size_t kGrain = 8192;  // segments a task: about a millisecond
+    constexpr DepthRange kNothing{kInfinity, -kInfinity};
+    const ViewRectangle rectangle{view.low, view.low + view.texel * glm::dvec2(view.width, view.height)};
+    const DepthRange range = tbb::parallel_reduce(
+        tbb::blocked_range<size_t>(0, segments.size(), kGrain), kNothing,
+        [&](const tbb::blocked_range<size_t>& part, DepthRange found) {
+            for (size_t i = part.begin(); i < part.end(); ++i) {
+                const auto inside = clip(in_view(view, segments, i), rectangle, projection_of(view));
+                if (!inside) continue;
+                for (const DVec3& end : inside->end) {
+                    const float depth = float(end.z - view.start);
+                    found = joined(found, {depth, depth});
+                }
+            }
+            return found;
+        },
+        joined);
     return range.nearest <= range.farthest ? range : DepthRange{};
 }
 
