@@ -174,7 +174,7 @@ private:
         return {};
     }
 
-    /// ", for about 12 core seconds where deep shadow maps would take 3 and 40 to make"; empty: nothing was estimated.
+    /// ": an estimated 12 core seconds by rays, 3 by maps and 40 to make them"; empty: nothing was estimated.
     std::string estimate() const {
         if (!plan_.lamp_cost) return "";
         const LampCost& cost = *plan_.lamp_cost;
