@@ -81,6 +81,11 @@ TEST_CASE("auto takes rays for few samples and maps for many, and says what it e
     REQUIRE(few.lamp_cost);
     CHECK_FALSE(few.lamp_maps);
     CHECK_FALSE(few.lamp_cost->maps_pay());
+    options.type3 = CrossingMethod::ray_deep;
+    const Plan shared = make_plan(scene, options);
+    CHECK(shared.lamp_cost->build == 0);  // type 3 has them made
+    CHECK(shared.lamp_maps == MapKind::deep);
+    options.type3 = CrossingMethod::ray;
     options.spp = 1 << 20;
     const Plan many = make_plan(scene, options);
     REQUIRE(many.lamp_cost);

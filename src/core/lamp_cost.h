@@ -16,7 +16,7 @@ namespace tress {
 struct LampCost {
     double rays = 0;   // Type 1 by shadow rays
     double maps = 0;   // Type 1 by deep shadow maps, and
-    double build = 0;  // making them
+    double build = 0;  // making them; 0 where type 3 has them made all the same
 
     bool maps_pay() const { return build + maps < rays; }
 };

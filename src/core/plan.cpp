@@ -156,8 +156,8 @@ private:
     void list_shadow_maps() {
         plan_.direct = by(wanted_.by_ray, PathType::type1);
         plan_.crossing_gather = by(wanted_.by_ray, PathType::type3);
-        if (plan_.direct && plan_.hair_tree) plan_.lamp_maps = lamp_maps();
         if (plan_.crossing_gather) plan_.crossing_maps = map_kind(options_.type3);
+        if (plan_.direct && plan_.hair_tree) plan_.lamp_maps = lamp_maps();
         for (int kind = 0; kind < kMapKinds; ++kind) {
             TypeSet types{};
             types[index_of(PathType::type1)] = plan_.lamp_maps == MapKind(kind);
@@ -167,9 +167,11 @@ private:
         }
     }
 
+    /// Needs crossing_maps.
     std::optional<MapKind> lamp_maps() {
         if (options_.type1 != LampMethod::automatic) return map_kind(options_.type1);
         plan_.lamp_cost = estimate_lamp_cost(scene_, options_, plan_.lamps);
+        if (plan_.crossing_maps == MapKind::deep) plan_.lamp_cost->build = 0;  // made for type 3 all the same
         if (plan_.lamp_cost->maps_pay()) return MapKind::deep;
         return {};
     }
