@@ -2,6 +2,7 @@
 // Types 1 and 3 by shadow maps in whole pictures, and what the plan says of them.
 #include <doctest/doctest.h>
 
+#include "core/error.h"
 #include "tests/tufts.h"
 
 using namespace tress;
@@ -70,6 +71,16 @@ TEST_CASE("maps are made of the kinds that are asked, once for both types, and l
     const Plan none = make_plan(bald, options);
     CHECK(none.direct);
     CHECK_FALSE(none.shadow_maps(MapKind::deep));
+}
+
+TEST_CASE("maps finer than memory holds are refused by name") {
+    Options options = types_1_and_3();
+    options.type1 = LampMethod::deep;
+    options.maps.resolution = 8192;
+    CHECK_THROWS_WITH_AS(make_plan(two_tufts(8), options),
+                         "maps.resolution: 8192 for 7 views of lamps, expected at most 3096", InputError);
+    options.maps.resolution = 3000;
+    CHECK(make_plan(two_tufts(8), options).lamp_maps == MapKind::deep);
 }
 
 TEST_CASE("auto takes rays for few samples and maps for many, and says what it expects") {

@@ -95,7 +95,10 @@ double core_seconds(const RenderStats& stats, const char* name) {
 void print_estimate(const RenderStats& stats, const Plan& plan) {
     const LampCost& cost = *plan.lamp_cost;
     const char* maps = stage::kShadowMaps[int(MapKind::deep)];
-    if (plan.lamp_maps)
+    if (plan.lamp_maps && cost.build == 0)
+        std::fprintf(stderr, "type 1: by %s that type 3 asks too, estimated %.1f core seconds, took %.1f\n", maps,
+                     cost.maps, core_seconds(stats, stage::kType1));
+    else if (plan.lamp_maps)
         std::fprintf(stderr, "type 1: by %s, estimated %.1f core seconds and %.1f to make them, took %.1f and %.1f\n",
                      maps, cost.maps, cost.build, core_seconds(stats, stage::kType1), core_seconds(stats, maps));
     else

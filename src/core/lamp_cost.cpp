@@ -77,10 +77,6 @@ double crossings_to_cutoff(const Scene& scene, float cutoff) {
     return a < 1 ? std::log(double(cutoff)) / std::log(std::max(a, 1e-9)) : 1e9;
 }
 
-size_t views(const Light& light, int grid) {
-    return std::holds_alternative<QuadLight>(light) ? size_t(grid) * size_t(grid) : 1;
-}
-
 /// Seconds that one sample of every pixel takes by rays and by maps.
 struct SampleCost {
     double rays = 0, maps = 0;
@@ -106,6 +102,10 @@ double samples(const Options& options, double seconds_each) {
 
 }  // namespace
 
+size_t view_count(const Light& light, int grid) {
+    return std::holds_alternative<QuadLight>(light) ? size_t(grid) * size_t(grid) : 1;
+}
+
 LampCost estimate_lamp_cost(const Scene& scene, const Options& options, std::span<const uint32_t> lamps) {
     const SegmentView segments = view(scene.hair, scene.segments);
     const HairMeasure hair = measure(segments);
@@ -115,7 +115,7 @@ LampCost estimate_lamp_cost(const Scene& scene, const Options& options, std::spa
     const double fragments = texel > 0 ? kQuarterPi * hair.length / texel : 0;
     LampCost cost{spp * sample.rays, spp * sample.maps, 0};
     for (const uint32_t lamp : lamps)
-        cost.build += double(views(scene.lights[lamp], options.maps.grid)) *
+        cost.build += double(view_count(scene.lights[lamp], options.maps.grid)) *
                       (double(segments.size()) * kSegmentSeconds + fragments * kFragmentSeconds);
     return cost;
 }

@@ -21,6 +21,9 @@ struct LampCost {
     bool maps_pay() const { return build + maps < rays; }
 };
 
+/// Points of a lamp that get a view of their own; a lamp among the hair has several views a point.
+size_t view_count(const Light& light, int grid);
+
 /// `lamps`: indices of lights. With a limit of time, of as many samples as shadow rays would allow.
 LampCost estimate_lamp_cost(const Scene& scene, const Options& options, std::span<const uint32_t> lamps);
 

@@ -158,6 +158,7 @@ private:
         plan_.crossing_gather = by(wanted_.by_ray, PathType::type3);
         if (plan_.crossing_gather) plan_.crossing_maps = map_kind(options_.type3);
         if (plan_.direct && plan_.hair_tree) plan_.lamp_maps = lamp_maps();
+        if (plan_.lamp_maps || plan_.crossing_maps) check_map_size();
         for (int kind = 0; kind < kMapKinds; ++kind) {
             TypeSet types{};
             types[index_of(PathType::type1)] = plan_.lamp_maps == MapKind(kind);
@@ -168,6 +169,18 @@ private:
     }
 
     /// Needs crossing_maps.
+    /// Throws InputError where maps would take more memory than a machine is likely to have.
+    void check_map_size() const {
+        double views = 0;
+        for (const uint32_t lamp : plan_.lamps) views += double(view_count(scene_.lights[lamp], options_.maps.grid));
+        const double texels = views * square(double(options_.maps.resolution));
+        constexpr double kMost = double(1 << 26);
+        if (texels > kMost)
+            throw InputError("maps.resolution", std::to_string(options_.maps.resolution) + " for " +
+                                                    counted(size_t(views), "view") + " of lamps, expected at most " +
+                                                    std::to_string(int(std::sqrt(kMost / views))));
+    }
+
     std::optional<MapKind> lamp_maps() {
         if (options_.type1 != LampMethod::automatic) return map_kind(options_.type1);
         plan_.lamp_cost = estimate_lamp_cost(scene_, options_, plan_.lamps);

@@ -4,6 +4,13 @@
 #include "gather/shadow_maps/own_fiber.h"
 
 namespace tress {
+namespace {
+
+/// Without rays next to points a fiber's own image is taken out of the answer on average, while it is thinner than this
+/// many texels. Next to wider ones rays are traced for kClear widths: texels are short there.
+constexpr float kThin = 0.25f, kClear = 8;
+
+}  // namespace
 
 void LampRays::clear() {
     rays.clear();
@@ -28,20 +35,25 @@ void LampVisibility::ask_map(const Scene& scene, const PreparedScene& prepared, 
     const Vec3 origin = to.rays.origin(ray);
     const float distance = to.rays.far(ray);
     beyond_[row] = Rgb(1);
-    if (to.segment[ray] == kNone && maps.points_of(light) > 1) return;  // a shadow of the lamp's points would show
+    const bool on_polygon = to.segment[ray] == kNone;
+    if (on_polygon && std::holds_alternative<QuadLight>(lamp)) return;
     const auto place = [&](const Vec3& point) { return place_on(maps, lamp, light, to.u[ray], point); };
     const Vec3 direction = to.rays.direction(ray);
     MapPlace at = place(origin);
     float traced = 0;
     Rgb own(1);
-    if (at.map && near > 0) {
-        traced = std::min(near * texel_width(at.map->view, at.at.depth), distance);
-        at = place(origin + traced * direction);
-    } else if (at.map && to.segment[ray] != kNone) {
-        const OwnFiber fiber = own_fiber(prepared.segments, prepared.attenuation, at.map->view, at.at, to.segment[ray],
-                                         direction, depth_blur(*at.map));
-        own = fiber.passed;
-        at = place(origin + std::min(fiber.radius, distance) * direction);
+    if (at.map) {
+        const float texel = texel_width(at.map->view, at.at.depth);
+        const float width = on_polygon ? 0 : fiber_width(prepared.segments, to.segment[ray]);
+        if (near == 0 && width <= kThin * texel) {
+            if (!on_polygon)
+                own = own_fiber_passed(prepared.segments, prepared.attenuation, at.map->view, at.at, to.segment[ray],
+                                       direction, depth_blur(*at.map));
+            at = place(origin + std::min(0.5f * width, distance) * direction);
+        } else {
+            traced = std::min(std::max(near * texel, near == 0 ? kClear * width : 0), distance);
+            at = place(origin + traced * direction);
+        }
     }
     if (!at.map && !at.clear) traced = distance;
     open_.rays.set_far(row, traced);

@@ -26,8 +26,8 @@ bool colors_light(const Attenuation& attenuation);
 
 /// Calls `take(tile, fragments)` once for every tile of the view, in parallel and in any order; `tile` counts as
 /// texel_index does. Texels whose light is below `opaque` in every channel are: fragments behind may be left out. The
-/// fragments are the same whatever the number of threads; `take` may keep or change them. Left out is hair nearer to a
-/// pinhole along z than its own width.
+/// fragments are the same whatever the number of threads; `take` may keep or change them. Left out are
+/// segments nearer to a pinhole than their own width, and what of hair is nearer along z.
 void project_hair(const LightView& view, const SegmentView& segments, const Attenuation& attenuation, float opaque,
                   const std::function<void(int tile, FragmentTile& fragments)>& take);
 

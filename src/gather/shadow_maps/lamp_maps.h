@@ -20,8 +20,6 @@ struct LampMaps {
     std::vector<uint8_t> complete;  // one a point: no hair lies outside its maps
     std::vector<ShadowMap> maps;
     int grid = 1;
-
-    uint32_t points_of(uint32_t light) const { return first_point[light + 1] - first_point[light]; }
 };
 
 /// `lamps`: indices of lights. In parallel; the same for any number of threads.

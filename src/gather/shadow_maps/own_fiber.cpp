@@ -11,19 +11,18 @@ constexpr float kMiddleWeight = 0.76f;
 
 /// Share of the fiber before a point one radius before its axis: the weights of a look-up fall linearly over a texel to
 /// either side, in which its depth changes by `rise`.
-float share_before(float radius, float rise) { return rise > radius ? 0.5f * square(1 - radius / rise) : 0; }
+float own_share_before(float radius, float rise) { return rise > radius ? 0.5f * square(1 - radius / rise) : 0; }
 
 }  // namespace
 
-OwnFiber own_fiber(const SegmentView& hair, const Attenuation& attenuation, const LightView& view, const ViewPoint& at,
-                   uint32_t segment, const Vec3& to_light, float blur) {
+Rgb own_fiber_passed(const SegmentView& hair, const Attenuation& attenuation, const LightView& view,
+                     const ViewPoint& at, uint32_t segment, const Vec3& to_light, float blur) {
     const Vec3 tangent(normalize(DVec3(hair.end(segment)) - DVec3(hair.start(segment))));
     const float along = std::min(std::abs(dot(tangent, to_light)), 1.0f), across = safe_sqrt(1 - along * along);
-    const float radius = hair.start_radius(segment), width = 2 * radius, texel = texel_width(view, at.depth);
-    const float covered = width < texel ? std::min(1.0f, kMiddleWeight * width / texel) : 1;
-    const float before = across > 0 ? share_before(radius, texel * along / across + blur) : 0.5f;
-    const Rgb stopped = 1.0f - exp(-attenuation.depth(segment, along));
-    return {radius, 1.0f - before * covered * stopped};
+    const float width = fiber_width(hair, segment), texel = texel_width(view, at.depth);
+    const float covered = std::min(1.0f, kMiddleWeight * width / texel);
+    const float before = across > 0 ? own_share_before(0.5f * width, texel * along / across + blur) : 0.5f;
+    return 1.0f - before * covered * (1.0f - exp(-attenuation.depth(segment, along)));
 }
 
 }  // namespace tress

@@ -8,16 +8,15 @@
 
 namespace tress {
 
-/// How far towards the light a map is asked, and what the answer is to be divided by.
-struct OwnFiber {
-    float radius;  // of the fiber, scene units: its axis is behind from there on
-    Rgb passed;    // of the light through what of it a look-up still counts: its depth changes over the texels asked
-};
+/// Of a segment at its start, scene units.
+inline float fiber_width(const SegmentView& hair, uint32_t segment) { return 2 * hair.start_radius(segment); }
 
-/// Of a point on `segment` that falls at `at`; `to_light` is unit. `blur`: depth over which the map smears what lies at
-/// one depth. Right on average: where a look-up happens to count
-/// less of the fiber than it is divided by, more than all light is left, and cutting that off would darken the rest.
-OwnFiber own_fiber(const SegmentView& hair, const Attenuation& attenuation, const LightView& view, const ViewPoint& at,
-                   uint32_t segment, const Vec3& to_light, float blur);
+/// What a map asked one radius towards the light is to be divided by: the light through what of the fiber the look-up
+/// counts all the same, as its depth changes over the texels asked, and over `blur`, the depth over which the map
+/// smears what lies at one depth. For a point on `segment`, thinner than a texel, that falls at `at`; `to_light` is
+/// unit. Right on average: where a look-up happens to count less, more than all light is left, and cutting that off
+/// would darken the rest.
+Rgb own_fiber_passed(const SegmentView& hair, const Attenuation& attenuation, const LightView& view,
+                     const ViewPoint& at, uint32_t segment, const Vec3& to_light, float blur);
 
 }  // namespace tress

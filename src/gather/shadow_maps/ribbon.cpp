@@ -19,6 +19,13 @@ glm::dvec2 texels(const LightView& view, const DVec3& p) {
     return (glm::dvec2(p) * scale - view.low) / view.texel;
 }
 
+/// Of the axis to the pinhole: a fiber that a lamp lies in or on would be seen end on, and stop its light both ways.
+double distance_to_origin(const Ribbon& r) {
+    const DVec3 axis = r.end[1] - r.end[0];
+    const double u = glm::clamp(-dot(r.end[0], axis) / dot(axis, axis), 0.0, 1.0);
+    return glm::length(r.end[0] + u * axis);
+}
+
 /// Cuts off what lies before z = near; false where nothing remains.
 bool clip(Ribbon& r, double near) {
     if (!(r.end[0].z > near || r.end[1].z > near)) return false;
@@ -67,7 +74,8 @@ std::optional<Ribbon> make_ribbon(const LightView& view, const SegmentView& segm
     const double squared_length = dot(axis, axis);
     if (!std::isfinite(squared_length) || !(squared_length > 0)) return {};
     r.tangent = axis / std::sqrt(squared_length);
-    if (!view.parallel && !clip(r, kNearRadii * widest)) return {};
+    const double near = kNearRadii * widest;
+    if (!view.parallel && (distance_to_origin(r) < near || !clip(r, near))) return {};
 
     for (int k = 0; k < 2; ++k) r.at[k] = texels(view, r.end[k]), r.z[k] = r.end[k].z;
     const glm::dvec2 along = abs(r.at[1] - r.at[0]);

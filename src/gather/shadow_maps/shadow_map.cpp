@@ -107,7 +107,8 @@ Rgb transmittance(const ShadowMap& map, const ViewPoint& at) {
 
 float depth_blur(const ShadowMap& map) {
     const auto* layered = std::get_if<OpacityTexels>(&map.texels);
-    return layered && layered->layers > 0 ? layered->span / float(layered->layers) : 0;
+    const bool even = layered && layered->first.empty() && layered->layers > 0;
+    return even ? layered->span / float(layered->layers) : 0;
 }
 
 size_t bytes(const ShadowMap& map) {

@@ -24,7 +24,8 @@ ShadowMap make_shadow_map(const LightView& view, MapKind kind, const SegmentView
 /// What is left of the light at a point of the view: the texels about it, bilinear.
 Rgb transmittance(const ShadowMap& map, const ViewPoint& at);
 
-/// Over how much depth light falls that one hair stops, scene units: the thickness of layers; else 0.
+/// Over how much depth light falls that one hair stops, scene units: the thickness of even layers; else 0 (those that
+/// follow the hair are thin where it is lit).
 float depth_blur(const ShadowMap& map);
 
 size_t bytes(const ShadowMap& map);
