@@ -11,12 +11,12 @@ namespace {
 
 // Measured on one core of an Intel Xeon (Sapphire Rapids, AVX-512); docs/light.md says how. Other machines scale all of
 // them alike.
-constexpr double kShadeSeconds = 0.3e-6;      // a way to a lamp, without what is between
-constexpr double kRaySeconds = 0.3e-6;        // a shadow ray from hair, and
-constexpr double kCrossingSeconds = 0.14e-6;  // each fiber that it crosses
-constexpr double kAskSeconds = 0.5e-6;        // a short ray and a look-up
-constexpr double kSegmentSeconds = 0.4e-6;    // a segment put on a map, and
-constexpr double kFragmentSeconds = 0.15e-6;  // each texel that it touches
+constexpr double kShadeSeconds = 0.45e-6;     // a way to a lamp, without what is between
+constexpr double kRaySeconds = 0.67e-6;       // a shadow ray from hair, and
+constexpr double kCrossingSeconds = 0.31e-6;  // each fiber that it crosses
+constexpr double kAskSeconds = 0.78e-6;       // a short ray and a look-up
+constexpr double kSegmentSeconds = 0.72e-6;   // a segment put on a map, and
+constexpr double kFragmentSeconds = 0.27e-6;  // each texel that it touches
 
 /// Of a line through a convex body to that of a body of equal mean shadow: a seen point lies near the rim, and its lamp
 /// anywhere, so half the line lies between.
