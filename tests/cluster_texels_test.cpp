@@ -10,8 +10,6 @@ using namespace tress;
 
 namespace {
 
-constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
-
 ClusterTexels clusters(const FragmentTile& tile, int count) { return make_cluster_texels(tile, {.count = count}); }
 
 double depth_of(double opacity) { return opacity < 1 ? std::min(-std::log1p(-opacity), double(kOpaqueDepth)) : 50; }
@@ -178,25 +176,7 @@ TEST_CASE("light falls with depth and stays between 0 and 1 whatever the depth")
     fragments.push_back({});
     fragments.push_back(random_texel(25, 100, 0, 1, 0.2f));
     const FragmentTile tile = tile_of(fragments, 3);
-    for (const int count : {1, 4, 16}) {
-        const ClusterTexels texels = clusters(tile, count);
-        for (size_t texel = 0; texel < fragments.size(); ++texel) {
-            Rgb before = transmittance(texels, texel, -kInfinity);
-            CHECK(before == Rgb(1));
-            CHECK(transmittance(texels, texel, kNoNumber) == Rgb(1));
-            for (int k = -1000; k <= 2000; ++k) {
-                const Rgb here = transmittance(texels, texel, float(k) / 1000);
-                for (int c = 0; c < 3; ++c) {
-                    CAPTURE(texel);
-                    CAPTURE(k);
-                    CHECK(here[c] >= 0);
-                    // Depths rise exactly; exp is rounded to a unit in the last place.
-                    CHECK(double(here[c]) <= double(before[c]) * (1 + 4 * kRounding));
-                }
-                before = here;
-            }
-        }
-    }
+    for (const int count : {1, 4, 16}) check_light_falls(clusters(tile, count), fragments.size(), -1000, 2000);
 }
 
 TEST_CASE("between clumps that stand apart the light is exact, be one of them ten times as heavy") {

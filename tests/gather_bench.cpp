@@ -9,7 +9,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -27,8 +26,10 @@
 #include "io/load_scene.h"
 #include "io/scene_file.h"
 #include "io/trace_files.h"
+#include "tests/bench_support.h"
 
 using namespace tress;
+using namespace tress::test;
 
 namespace {
 
@@ -43,24 +44,15 @@ struct Arguments {
 
 Arguments read_arguments(int count, char** values) {
     Arguments a;
-    for (int i = 1; i < count; ++i) {
-        const std::string name = values[i];
-        if (!name.starts_with("--")) {
-            a.scene = name;
-            continue;
-        }
-        if (i + 1 == count) throw InputError(name, "nothing follows, expected a value");
-        const char* value = values[++i];
+    a.scene = read_flags(count, values, [&](const std::string& name, const std::string& value) {
         const auto set = [&](const char* known, int& to) {
-            if (name == known) to = std::max(std::atoi(value), 1);
+            if (name == known) to = std::max(std::atoi(value.c_str()), 1);
         };
         set("--size", a.size), set("--spp", a.spp), set("--rounds", a.rounds), set("--threads", a.threads);
         if (name == "--write") a.write = value;
-    }
+    });
     return a;
 }
-
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());

@@ -120,8 +120,8 @@ TEST_CASE("types 1 and 2 without polygons are what shadow rays to lamps and sky 
             samplers.push_back({hash(2, i), 0});
         }
         std::vector<Rgb> light(kSamples, Rgb(0));
-        DirectLight()(scene, view.prepared, view.options, type == 0 ? view.plan.lamps : view.plan.environments, nullptr, points,
-                      samplers, light);
+        DirectLight()(scene, view.prepared, view.options, type == 0 ? view.plan.lamps : view.plan.environments, nullptr,
+                      points, samplers, light);
         Mean direct;
         for (const Rgb& one : light) direct.add(double(luminance(one)));
         const double error = standard_error_of_difference(paths.type[size_t(type)], direct);

@@ -11,7 +11,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -24,8 +23,10 @@
 #include "gather/lamp_visibility.h"
 #include "io/load_scene.h"
 #include "io/scene_file.h"
+#include "tests/bench_support.h"
 
 using namespace tress;
+using namespace tress::test;
 
 namespace {
 
@@ -37,23 +38,14 @@ struct Arguments {
 
 Arguments read_arguments(int count, char** values) {
     Arguments a;
-    for (int i = 1; i < count; ++i) {
-        const std::string name = values[i];
-        if (!name.starts_with("--")) {
-            a.scene = name;
-            continue;
-        }
-        if (i + 1 == count) throw InputError(name, "nothing follows, expected a value");
-        const std::string value = values[++i];
+    a.scene = read_flags(count, values, [&](const std::string& name, const std::string& value) {
         if (name == "--points") a.points = std::max(std::atoi(value.c_str()), 1);
         if (name == "--rays") a.rays = std::max(std::atoi(value.c_str()), 1);
         if (name == "--set") a.rows.push_back(value);
-    }
+    });
     if (a.rows.empty()) a.rows.push_back("");
     return a;
 }
-
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Ways from one point to the samples of one lamp.
 LampRays ways(const Scene& scene, const ShadingPoint& point, uint32_t light, int n) {

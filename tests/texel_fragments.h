@@ -2,6 +2,8 @@
 // Fragments of a few texels, and what they let through, in double: for tests of what shadow maps make of them.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -12,6 +14,7 @@ namespace tress {
 
 /// Of single precision, relative.
 inline constexpr double kRounding = 0x1p-24;
+inline constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 struct TestFragment {
     float depth;
@@ -82,6 +85,27 @@ inline std::vector<TestTexel> stiff_texels() {
     texels.push_back(random_texel(2, 10000, 0, 1, 1e-3f));                        // many
     texels.push_back({{0.5f, Rgb(0.5f, 0, 1)}, {std::nextafter(0.5f, 1.0f), 0.5f * Rgb(1, 0, 0)}});  // neighbours
     return texels;
+}
+
+/// Light falls with depth and stays within [0, 1], of three channels, over depths of [low, high] thousandths.
+template <class Texels>
+void check_light_falls(const Texels& texels, size_t count, int low, int high) {
+    for (size_t texel = 0; texel < count; ++texel) {
+        Rgb before = transmittance(texels, texel, -kInfinity);
+        CHECK(before == Rgb(1));
+        CHECK(transmittance(texels, texel, kNoNumber) == Rgb(1));
+        for (int k = low; k <= high; ++k) {
+            const Rgb here = transmittance(texels, texel, float(k) / 1000);
+            for (int c = 0; c < 3; ++c) {
+                CAPTURE(texel);
+                CAPTURE(k);
+                CHECK(here[c] >= 0);
+                // Depths rise exactly; exp is rounded to a unit in the last place.
+                CHECK(double(here[c]) <= double(before[c]) * (1 + 4 * kRounding));
+            }
+            before = here;
+        }
+    }
 }
 
 }  // namespace tress

@@ -11,7 +11,7 @@
 
 namespace tress {
 
-/// Seconds of one core, of the stages that bear these names. Good to a factor of two: docs/light.md has estimates
+/// Seconds of one core, of the stages that bear these names. Good to a factor of three: docs/light.md has estimates
 /// beside what was measured.
 struct LampCost {
     double rays = 0;   // Type 1 by shadow rays
