@@ -55,9 +55,9 @@ enum class MapKind : int { deep, opacity, clusters };  // of shadow maps
 inline constexpr int kMapKinds = 3;
 
 struct MapOptions {
-    int resolution = 128;  // texels of the longer side of a view; finer costs time and memory, coarser sharpness
-    int grid = 2;          // a quad light has grid x grid views
-    float near = 4;        // texel widths next to a point that rays are traced through before a map is asked; 0: none
+    int resolution = 128;      // texels of the longer side of a view; finer costs time and memory, coarser sharpness
+    int grid = 2;              // a quad light has grid x grid views
+    float near = 4;            // texel widths next to a point that rays are traced through before a map is asked
     float near_crossings = 0;  // the same next to crossings of gather rays (type 3)
 };
 

@@ -168,7 +168,6 @@ private:
         }
     }
 
-    /// Needs crossing_maps.
     /// Throws InputError where maps would take more memory than a machine is likely to have.
     void check_map_size() const {
         double views = 0;
@@ -181,6 +180,7 @@ private:
                                                     std::to_string(int(std::sqrt(kMost / views))));
     }
 
+    /// Needs crossing_maps.
     std::optional<MapKind> lamp_maps() {
         if (options_.type1 != LampMethod::automatic) return map_kind(options_.type1);
         plan_.lamp_cost = estimate_lamp_cost(scene_, options_, plan_.lamps);

@@ -31,7 +31,8 @@ struct LampRays {
 
 class LampVisibility {
 public:
-    /// `maps`: none: rays all the way. `near`: texel widths that are traced before a map is asked.
+    /// `maps`: none: rays all the way. `near`: texel widths that are traced before a map is asked;
+    /// 0: only next to fibers that are wide on the map.
     void operator()(const Scene& scene, const PreparedScene& prepared, const LampMaps* maps, float near,
                     const Options& options, const LampRays& to, std::span<Rgb> visibility);
 
