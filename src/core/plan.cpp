@@ -194,7 +194,7 @@ private:
         if (!plan_.lamp_cost) return "";
         const LampCost& cost = *plan_.lamp_cost;
         char text[160];
-        std::snprintf(text, sizeof text, ": an estimated %.2g core seconds by rays, %.2g by maps and %.2g to make them",
+        std::snprintf(text, sizeof text, ": an estimated %.1f core seconds by rays, %.1f by maps and %.1f to make them",
                       cost.rays, cost.maps, cost.build);
         return text;
     }
