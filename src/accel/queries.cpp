@@ -2,17 +2,12 @@
 #include "accel/queries.h"
 
 #include <cassert>
-#include <string>
-#include <utility>
 
+#include "accel/highway_targets.h"
+#include "accel/isa_targets.h"
 #include "accel/query_kernels.h"
 #include "accel/transmission_powers.h"
-#include "core/error.h"
 
-// All targets, the scalar one too, so that each can be asked for. Without those whose vectors have no size known to
-// the compiler, and without SSSE3, which no name stands for.
-#define HWY_COMPILE_ALL_ATTAINABLE
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #define HWY_TARGET_INCLUDE "accel/queries.cpp"
 // foreach_target.h compiles what follows it once a target, and must stand first.
 // clang-format off
@@ -41,55 +36,9 @@ namespace {
 
 HWY_EXPORT(query_kernels);
 
-struct NamedTargets {
-    Isa isa;
-    std::string_view name;
-    int64_t targets;  // of Highway; one of them will do
-};
-constexpr NamedTargets kNamed[] = {
-    {Isa::avx512, "avx512", HWY_AVX3 | HWY_AVX3_DL},
-    {Isa::avx2, "avx2", HWY_AVX2},
-    {Isa::sse4, "sse4", HWY_SSE4},
-    {Isa::scalar, "scalar", HWY_SCALAR | HWY_EMU128},
-};
-
-/// Those of `wanted` that are compiled and that the machine can run.
-int64_t available(int64_t wanted) {
-    static const int64_t machine = hwy::SupportedTargets() | HWY_SCALAR | HWY_EMU128;  // asked once: it is slow
-    return wanted & HWY_TARGETS & machine;
-}
-
-QueryKernels kernels_of(int64_t targets) {
-    hwy::ChosenTarget chosen;
-    chosen.Update(targets);
-    return HWY_DISPATCH_TABLE(query_kernels)[chosen.GetIndex()]();
-}
-
-QueryKernels kernels_for(Isa isa) {
-    if (isa == Isa::automatic) return kernels_of(available(HWY_TARGETS));
-    std::string wanted, known;
-    for (const NamedTargets& named : kNamed) {
-        const int64_t targets = available(named.targets);
-        if (named.isa == isa && targets != 0) return kernels_of(targets);
-        if (named.isa == isa) wanted = named.name;
-        if (targets != 0) known += std::string(known.empty() ? "" : ", ") + std::string(named.name);
-    }
-    throw InputError("isa", "'" + wanted + "' cannot run here, expected one of auto, " + known);
-}
+QueryKernels kernels_for(Isa isa) { return HWY_DISPATCH_TABLE(query_kernels)[kernel_index(isa)](); }
 
 }  // namespace
-
-std::vector<Isa> supported_isas() {
-    std::vector<Isa> isas;
-    for (const NamedTargets& named : kNamed)
-        if (available(named.targets) != 0) isas.push_back(named.isa);
-    return isas;
-}
-
-Isa used_isa(Isa isa) {
-    kernels_for(isa);
-    return isa == Isa::automatic ? supported_isas().front() : isa;
-}
 
 void nearest_segment(const KdTree& tree, const RayBatch& rays, const NearestHits& hits, Isa isa) {
     kernels_for(isa).nearest_segment(tree, rays, hits);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "accel/isa_targets.h"
 #include "accel/kd_tree.h"
 #include "core/attenuation.h"
 #include "core/options.h"
@@ -61,11 +62,5 @@ struct Flights {
 };
 void flights(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, std::span<const float> cutoff,
              Flights& found, Isa isa);
-
-/// The instruction set that queries asked for `isa` use. Throws InputError where the machine cannot run it.
-Isa used_isa(Isa isa);
-
-/// Instruction sets that this machine and this build can run, best first; scalar is always there.
-std::vector<Isa> supported_isas();
 
 }  // namespace tress
