@@ -15,7 +15,9 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view kLampNames[] = {"off", "ray", "deep", "opacity", "clusters", "path", "auto"};
 constexpr std::string_view kCrossingNames[] = {"off", "ray", "ray+deep", "ray+opacity", "ray+clusters", "path"};
-constexpr std::string_view kGatherNames[] = {"off", "ray", "path"};
+constexpr std::string_view kGatherNames[] = {"off", "ray", "projection", "path", "auto"};
+constexpr std::string_view kDetailNames[] = {"auto", "all", "simplified", "layers", "tree"};
+constexpr std::string_view kMeasureNames[] = {"root", "segment"};
 constexpr std::string_view kScatteredNames[] = {"off", "photons", "path"};
 constexpr std::string_view kScatteringNames[] = {"straight", "full"};
 constexpr std::string_view kIsaNames[] = {"auto", "scalar", "sse4", "avx2", "avx512"};
@@ -71,6 +73,7 @@ std::vector<OptionField> option_fields(Options& o) {
     AccelOptions& a = o.accel;
     PhotonOptions& p = o.photons;
     MapOptions& m = o.maps;
+    ProjectionOptions& j = o.projection;
     FilmOptions& f = o.film;
     return {
         {"type1", choice(o.type1, kLampNames), 0, 0, "light from lamps, straight through hair"},
@@ -111,6 +114,20 @@ std::vector<OptionField> option_fields(Options& o) {
         {"opacity.layers", &o.opacity.layers, 1, 1024, "of optical depth"},
         {"opacity.follow", &o.opacity.follow, 0, 0, "layers start at the first hair of each texel"},
         {"clusters.count", &o.clusters.count, 1, 64, "clusters of hair a texel"},
+        {"projection.cells", &j.cells, 4, 16384, "a hemisphere, that hair is projected onto (type 2)"},
+        {"projection.detail", choice(j.detail, kDetailNames), 0, 0, "what is projected: every segment, fewer, or a tree"},
+        {"projection.directions", &j.directions, 1, 4096, "drawn a point by its scattering, seen through its cells"},
+        {"projection.rays", &j.rays, 1, 4096, "a point, sent to polygons along such directions"},
+        {"projection.opening", &j.opening, 0.1, 16, "cells; larger cubes are opened (tree)"},
+        {"projection.splats", &j.splats, 0.1, 16, "that stand for a cube as large as a cell (tree)"},
+        {"projection.leaf", &j.leaf, 1, 4096, "pieces of hair that a cube may keep undivided (tree)"},
+        {"projection.cube", &j.cube, 0, 1e30, "side of the smallest cube, scene units; 0: 1/256 of the hair (tree)"},
+        {"projection.gap", &j.gap, -1, 8, "share of gaps between cells that is added; below 0: as rays show"},
+        {"projection.share", &j.share, 1e-4, 1, "of strands that are kept (simplified)"},
+        {"projection.stride", &j.stride, 1, 1024, "segments of a strand that become one (simplified)"},
+        {"projection.layer", &j.layer, 1e-20, 1e30, "depth of a layer, scene units; the i-th keeps every i-th segment"},
+        {"projection.measure", choice(j.measure, kMeasureNames), 0, 0, "what of a strand is in a layer (layers)"},
+        {"projection.weighted", &j.weighted, 0, 0, "what is kept counts for what is left out (layers, simplified)"},
         {"film.filter_radius", &f.filter_radius, 0.5, 8, "pixels, of the Blackman-Harris filter"},
         {"film.exposure", &f.exposure, -40, 40, "stops, of the PNG only"},
     };

@@ -16,11 +16,13 @@
 namespace tress {
 
 enum class LampMethod : int { off, ray, deep, opacity, clusters, path, automatic };       // type 1
-enum class GatherMethod : int { off, ray, path };                                         // type 2
+enum class GatherMethod : int { off, ray, projection, path, automatic };                  // type 2
 enum class CrossingMethod : int { off, ray, ray_deep, ray_opacity, ray_clusters, path };  // type 3
 enum class ScatteredMethod : int { off, photons, path };                                  // types 4 and 5
 enum class ScatteringModel : int { straight, full };
 enum class Isa : int { automatic, scalar, sse4, avx2, avx512 };
+enum class ProjectionDetail : int { automatic, all, simplified, layers, tree };
+enum class LayerMeasure : int { root, segment };
 enum class SplitMethod : int { binned, exact, naive, spatial_median, object_median };
 
 /// Parameters of the kd-tree after Havran 2000 and Wald & Havran 2006.
@@ -74,6 +76,24 @@ struct ClusterOptions {
     int count = 4;  // a texel
 };
 
+/// Type 2 by projection of hair onto cells about each point.
+struct ProjectionOptions {
+    int cells = 256;  // a hemisphere; fewer are faster, and take more light than there is, or less
+    ProjectionDetail detail = ProjectionDetail::automatic;
+    int directions = 64;  // drawn a point by its scattering, seen through its cells
+    int rays = 6;         // of these, sent to polygons
+    float opening = 2;    // tree: cubes larger than this many cells are opened
+    float splats = 2;     // tree: that stand for a cube as large as a cell
+    int leaf = 8;         // tree: pieces of hair that a cube may keep undivided
+    float cube = 0;       // tree: sides of the smallest cube, scene units; 0: 1/256 of the hair
+    float gap = -1;       // share of the gap between neighbouring cells that is added; below 0: as rays show
+    float share = 0.25f;  // simplified: of strands that are kept, as wide as those they stand for
+    int stride = 1;       // simplified: segments of a strand that become one
+    float layer = 4;      // layers: s of the paper, scene units; layer i keeps every i-th segment
+    LayerMeasure measure = LayerMeasure::root;  // layers: by the distance of a strand's root, or of the segment itself
+    bool weighted = true;                       // layers, simplified: what is kept counts for what is left out
+};
+
 struct FilmOptions {
     float filter_radius = 1.5f;  // pixels; Blackman-Harris, sampled by importance
     float exposure = 0;          // stops, of the PNG only
@@ -98,6 +118,7 @@ struct Options {
     DeepOptions deep;
     OpacityOptions opacity;
     ClusterOptions clusters;
+    ProjectionOptions projection;
     FilmOptions film;
 };
 

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Pieces of hair next to a point, drawn along the arcs that they are seen as: in steps that are small in a cell, and
+// across too where they are wide.
+#if defined(TRESS_GATHER_PROJECTION_ARCS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRESS_GATHER_PROJECTION_ARCS_INL_H
+#undef TRESS_GATHER_PROJECTION_ARCS_INL_H
+#else
+#define TRESS_GATHER_PROJECTION_ARCS_INL_H
+#endif
+
+#include <algorithm>
+#include <cmath>
+
+#include "gather/projection/add_splats-inl.h"
+#include "gather/projection/projection_scratch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace tress {
+namespace HWY_NAMESPACE {
+
+inline constexpr float kArcStep = 0.5f;      // of a cell's size, along an arc
+inline constexpr float kWideShare = 0.35f;   // of a cell's size: wider pieces are cut across too
+inline constexpr float kMostArcSteps = 512;  // in half a turn, however small the cells
+
+/// Signed inclination of the vector with components `across` >= 0 and `along`.
+HWY_INLINE FloatVec inclination(FloatVec across, FloatVec along) {
+    const FloatVec turn = turn_of(across, along);
+    return set(2 * kPi) * hn::IfThenElse(turn > set(0.5f), turn - set(1.0f), turn);
+}
+
+/// Makes arcs [0, pieces.size) ready; a piece through the point itself gets any perpendicular.
+inline void make_arcs(const PieceList& p, float cell_size, Arcs& arcs) {
+    const Floats d;
+    const FloatVec tiny = set(1e-30f), one = set(1.0f);
+    for (size_t i = 0; i < p.size; i += hn::Lanes(d)) {
+        const FloatVec ax = hn::Load(d, &p.ax[i]), ay = hn::Load(d, &p.ay[i]), az = hn::Load(d, &p.az[i]);
+        const FloatVec ex = hn::Load(d, &p.bx[i]) - ax, ey = hn::Load(d, &p.by[i]) - ay, ez = hn::Load(d, &p.bz[i]) - az;
+        const FloatVec length = hn::Sqrt(hn::Max(dot3(ex, ey, ez, ex, ey, ez), tiny));
+        const FloatVec ux = ex / length, uy = ey / length, uz = ez / length;
+        const FloatVec along = dot3(ax, ay, az, ux, uy, uz);
+        const FloatVec fx = ax - along * ux, fy = ay - along * uy, fz = az - along * uz;
+        const FloatVec squared = dot3(fx, fy, fz, fx, fy, fz);
+        const FloatVec foot = hn::Sqrt(hn::Max(squared, tiny));
+        // Across an axis that passes through the point: any perpendicular, by the axis' smaller components.
+        const FloatMask through = squared <= tiny;
+        const FloatMask flat = hn::Abs(uz) < set(0.7f);
+        const FloatVec gx = hn::IfThenElse(flat, uy, uz), gy = hn::IfThenElse(flat, hn::Neg(ux), hn::Zero(d));
+        const FloatVec gz = hn::IfThenElse(flat, hn::Zero(d), hn::Neg(ux));
+        const FloatVec g = hn::Sqrt(hn::Max(dot3(gx, gy, gz, gx, gy, gz), tiny));
+        const FloatVec psi = inclination(foot, along), end = inclination(foot, along + length);
+        const FloatVec span = hn::Max(end - psi, hn::Zero(d));
+        const FloatVec wanted = hn::Min(span * set(1 / (kArcStep * cell_size)), set(kMostArcSteps));
+        const FloatVec steps = hn::Max(hn::Ceil(wanted), one);
+        const FloatVec radius = set(0.5f) * (hn::Load(d, &p.start_radius[i]) + hn::Load(d, &p.end_radius[i]));
+        const FloatVec sine = hn::Min(radius / foot, one);
+        const FloatVec half_width = inclination(hn::Sqrt(one - sine * sine), sine);
+        hn::Store(ux, d, &arcs.ux[i]), hn::Store(uy, d, &arcs.uy[i]), hn::Store(uz, d, &arcs.uz[i]);
+        hn::Store(hn::IfThenElse(through, gx / g, fx / foot), d, &arcs.nx[i]);
+        hn::Store(hn::IfThenElse(through, gy / g, fy / foot), d, &arcs.ny[i]);
+        hn::Store(hn::IfThenElse(through, gz / g, fz / foot), d, &arcs.nz[i]);
+        hn::Store(foot, d, &arcs.foot[i]), hn::Store(along, d, &arcs.along[i]), hn::Store(length, d, &arcs.length[i]);
+        hn::Store(psi, d, &arcs.psi[i]), hn::Store(span / steps, d, &arcs.step[i]), hn::Store(steps, d, &arcs.steps[i]);
+        hn::Store(half_width, d, &arcs.half_width[i]);
+    }
+}
+
+/// One arc to be drawn: steps i of inclination psi + (i + 1/2) step, in the half plane of `normal` about `axis`.
+struct ArcRow {
+    Vec3 axis, normal;
+    float foot, along, length;  // of the half plane: foot is p cos(phi)
+    float psi, step;
+    size_t steps;
+    float width;                     // dphi
+    float start_radius, end_radius;  // the width is of their mean
+    float least_radius = 0;          // steps whose radius is smaller are not covered
+    int32_t first_opacity_row;
+};
+
+/// Appends the steps of an arc; there must be room for them.
+HWY_INLINE void draw_arc(const ArcRow& arc, Splats& to) {
+    const Floats d;
+    const Ints di;
+    const FloatVec zero = hn::Zero(d), one = set(1.0f);
+    const float mean_radius = 0.5f * (arc.start_radius + arc.end_radius);
+    const FloatVec solid = set(arc.width * 2 * std::sin(0.5f * arc.step));
+    const FloatVec taper = set((arc.end_radius - arc.start_radius) / arc.length);
+    const bool tapered = arc.start_radius != arc.end_radius;
+    for (size_t i = 0; i < arc.steps; i += hn::Lanes(d)) {
+        const FloatVec place = hn::Iota(d, float(i)) + set(0.5f);
+        const FloatVec psi = hn::Clamp(set(arc.psi) + place * set(arc.step), set(-kPi / 2), set(kPi / 2));
+        const FloatVec sin_psi = sine(psi);
+        const FloatVec cos_psi = hn::Sqrt(hn::Max(one - sin_psi * sin_psi, zero));
+        FloatVec covered = solid * cos_psi;
+        if (tapered) {
+            const FloatVec s = set(arc.foot) * sin_psi / hn::Max(cos_psi, set(1e-6f)) - set(arc.along);
+            const FloatVec radius = set(arc.start_radius) + taper * hn::Clamp(s, zero, set(arc.length));
+            covered = arc.least_radius > 0 ? hn::IfThenElseZero(radius >= set(arc.least_radius), covered)
+                                           : covered * radius * set(1 / mean_radius);
+        }
+        const FloatVec row = cos_psi * set(float(kOpacityRows - 1)) + set(0.5f);
+        hn::StoreU(sin_psi * set(arc.axis.x) + cos_psi * set(arc.normal.x), d, &to.x[to.size + i]);
+        hn::StoreU(sin_psi * set(arc.axis.y) + cos_psi * set(arc.normal.y), d, &to.y[to.size + i]);
+        hn::StoreU(sin_psi * set(arc.axis.z) + cos_psi * set(arc.normal.z), d, &to.z[to.size + i]);
+        hn::StoreU(covered, d, &to.solid_angle[to.size + i]);
+        hn::StoreU(hn::ConvertTo(di, row) + hn::Set(di, arc.first_opacity_row), di, &to.opacity_row[to.size + i]);
+    }
+    to.size += arc.steps;
+}
+
+inline ArcRow arc_of(const PieceList& pieces, const Arcs& arcs, size_t i) {
+    ArcRow row;
+    row.axis = {arcs.ux[i], arcs.uy[i], arcs.uz[i]};
+    row.normal = {arcs.nx[i], arcs.ny[i], arcs.nz[i]};
+    row.foot = arcs.foot[i], row.along = arcs.along[i], row.length = arcs.length[i];
+    row.psi = arcs.psi[i], row.step = arcs.step[i], row.steps = size_t(arcs.steps[i]);
+    row.width = 2 * arcs.half_width[i];
+    row.start_radius = pieces.start_radius[i], row.end_radius = pieces.end_radius[i];
+    row.first_opacity_row = pieces.kind[i] * kOpacityRows;
+    return row;
+}
+
+/// Adds what the splats absorb to the sums of one piece, and empties them.
+inline void absorb(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, Splats& splats,
+                   WidePiece& to) {
+    const float per_cell = 1 / igloo.solid_angle();
+    for (size_t i = 0; i < splats.size; ++i) {
+        const Vec3 direction = from.frame.to_local(normalize(Vec3(splats.x[i], splats.y[i], splats.z[i])));
+        if (from.dome == Dome::hemisphere && direction.z < 0) continue;
+        const uint32_t cell = cell_of(igloo, direction);
+        Rgbx& sum = to.absorbed[cell];
+        if (sum.c[3] == 0) to.touched.push_back(cell);
+        const float coverage = splats.solid_angle[i] * per_cell;
+        const Rgbx& o = opacity.row[size_t(splats.opacity_row[i])];
+        for (int c = 0; c < 3; ++c) sum.c[c] += coverage * o.c[c];
+        sum.c[3] = 1;
+    }
+    splats.size = 0;
+}
+
+inline void add_absorbed(float& cell, const Rgbx& share) {
+    cell += std::min(-std::log1p(-std::min(share.c[0], 1.0f)), kOpaqueDepth);
+}
+inline void add_absorbed(Rgbx& cell, const Rgbx& share) {
+    for (int c = 0; c < 3; ++c) cell.c[c] += std::min(-std::log1p(-std::min(share.c[c], 1.0f)), kOpaqueDepth);
+}
+
+/// A piece that is wide in a cell: rows of arcs side by side across it, each cut where the piece's ends are seen there.
+template <class Depth>
+void draw_wide(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ArcRow arc,
+               ProjectionScratch& scratch, CellDepths<Depth>& to) {
+    const float radius = std::max(arc.start_radius, arc.end_radius);
+    const float half_width = std::asin(std::min(radius / arc.foot, 1.0f));
+    const float step = kArcStep * igloo.cell_size();
+    const size_t rows = size_t(std::min(std::ceil(2 * half_width / step), kMostArcSteps));
+    const Vec3 normal = arc.normal, across = cross(arc.axis, normal);
+    const float foot = arc.foot;
+    Splats& splats = scratch.wide_splats;
+    WidePiece& wide = scratch.wide;
+    wide.absorbed.resize(2 * size_t(igloo.cells));
+    arc.width = 2 * half_width / float(rows);
+    for (size_t j = 0; j < rows; ++j) {
+        const float phi = -half_width + (float(j) + 0.5f) * arc.width;
+        arc.normal = std::cos(phi) * normal + std::sin(phi) * across;
+        arc.foot = foot * std::cos(phi);
+        arc.least_radius = foot * std::abs(std::sin(phi));
+        arc.psi = std::atan2(arc.along, arc.foot);
+        const float span = std::max(std::atan2(arc.along + arc.length, arc.foot) - arc.psi, 0.0f);
+        arc.steps = size_t(std::clamp(std::ceil(span / step), 1.0f, kMostArcSteps));
+        arc.step = span / float(arc.steps);
+        if (!splats.has_room(arc.steps)) absorb(igloo, from, opacity, splats, wide);
+        draw_arc(arc, splats);
+    }
+    absorb(igloo, from, opacity, splats, wide);
+    for (const uint32_t cell : wide.touched) {
+        add_absorbed(to.depth[cell], wide.absorbed[cell]);
+        wide.absorbed[cell] = {};
+    }
+    wide.touched.clear();
+}
+
+/// Draws scratch.pieces and empties the list.
+template <class Depth>
+void draw_pieces(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ProjectionScratch& scratch,
+                 CellDepths<Depth>& to) {
+    const float cell_size = igloo.cell_size();
+    PieceList& pieces = scratch.pieces;
+    make_arcs(pieces, cell_size, scratch.arcs);
+    for (size_t i = 0; i < pieces.size; ++i) {
+        const ArcRow arc = arc_of(pieces, scratch.arcs, i);
+        if (arc.width > kWideShare * cell_size) {
+            draw_wide(igloo, from, opacity, arc, scratch, to);
+            continue;
+        }
+        if (!scratch.splats.has_room(arc.steps)) add_splats(igloo, from, opacity, scratch.splats, to);
+        draw_arc(arc, scratch.splats);
+    }
+    pieces.size = 0;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tress
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// From optical depths to what cells let through.
+#if defined(TRESS_GATHER_PROJECTION_CELL_LIGHT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRESS_GATHER_PROJECTION_CELL_LIGHT_INL_H
+#undef TRESS_GATHER_PROJECTION_CELL_LIGHT_INL_H
+#else
+#define TRESS_GATHER_PROJECTION_CELL_LIGHT_INL_H
+#endif
+
+#include "gather/projection/cell_depths.h"
+#include "gather/projection/cell_light.h"
+#include "gather/projection/vector_math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace tress {
+namespace HWY_NAMESPACE {
+
+/// Room for whole vectors past the last cell.
+inline size_t padded(size_t cells) { return (cells + kMostLanes - 1) / kMostLanes * kMostLanes; }
+
+/// `root`: sqrt(T) of each cell, padded with anything. A neighbour beyond the last cell (below a hemisphere's horizon)
+/// is the cell itself: no gap.
+inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, float gap, float* light) {
+    const Floats d;
+    const Ints di;
+    const IntVec most = hn::Set(di, int32_t(cells) - 1);
+    for (size_t i = 0; i < cells; i += hn::Lanes(d)) {
+        const FloatVec own = hn::Load(d, root + i);
+        const IntVec self = hn::Min(hn::Iota(di, int32_t(i)), most);
+        FloatVec sum = hn::Zero(d);
+        for (size_t side = 0; side < 4; ++side) {
+            const int32_t* beside = &igloo.neighbor[side * 2 * igloo.cells];
+            IntVec other = hn::LoadU(di, beside + i);
+            other = hn::IfThenElse(other > most, self, other);
+            const FloatVec difference = own - hn::GatherIndex(d, root, other);
+            sum = sum + difference * difference;
+        }
+        hn::Store(hn::Min(own * own + set(gap / 8) * sum, set(1.0f)), d, light + i);
+    }
+}
+
+template <int kChannel, class Depth>
+float depth_in(const Depth& depth) {
+    if constexpr (sizeof(Depth) == sizeof(float))
+        return depth;
+    else
+        return depth.c[kChannel];
+}
+
+template <int kChannel, class Depth>
+void find_channel(const Igloo& igloo, const CellDepths<Depth>& depths, float gap, CellLight& to) {
+    const Floats d;
+    const size_t cells = depths.cells;
+    HWY_ALIGN float root[2 * Igloo::kMostCells + kMostLanes];
+    for (size_t i = 0; i < cells; ++i) root[i] = depth_in<kChannel>(depths.sum(i));
+    for (size_t i = cells; i < padded(cells); ++i) root[i] = 0;
+    for (size_t i = 0; i < cells; i += hn::Lanes(d))
+        hn::Store(exp_minus(set(0.5f) * hn::Load(d, root + i)), d, root + i);
+    if (to.channel[kChannel].size() < padded(cells)) to.channel[kChannel] = AlignedArray<float>(padded(cells));
+    add_gaps(igloo, cells, root, gap, to.channel[kChannel].data());
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tress
+HWY_AFTER_NAMESPACE();
+
+#endif

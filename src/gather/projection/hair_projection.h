@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Hair as it is projected onto cells about points: what is built once for a scene, and the projection of one point.
+//
+//     const HairProjection projection = make_hair_projection(segments, attenuation, detail, options);
+//     ProjectionScratch scratch;
+//     CellLight light;
+//     project(projection, segments, from, unseen, isa, scratch, light);
+//     light.transmittance(cell_of(projection.igloo, from.frame.to_local(direction)));
+#pragma once
+
+#include "gather/projection/projection_kernels.h"
+
+namespace tress {
+
+struct HairProjection {
+    Igloo igloo;
+    HairOpacity opacity;
+    ProjectedSegments segments;  // empty where a tree is walked
+    MomentTree tree;             // empty where every segment is projected
+    ProjectionOptions options;   // with numbers in place of what is automatic, but for a gap below 0
+};
+
+/// `detail` is not automatic.
+HairProjection make_hair_projection(const SegmentView& segments, const Attenuation& attenuation,
+                                    ProjectionDetail detail, const Options& options);
+
+/// What hair lets through about a point, in the frame of `from`. `hair` is what the projection was made of.
+void project(const HairProjection& projection, const SegmentView& hair, const Viewpoint& from, const Unseen& unseen,
+             Isa isa, ProjectionScratch& scratch, CellLight& light);
+
+size_t bytes(const HairProjection& projection);
+
+}  // namespace tress

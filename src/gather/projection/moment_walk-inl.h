@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Hair projected by its moments: cubes that look small are splats, those that look large are opened, and the pieces of
+// leaves next to the point are drawn exactly. Every part of the hair is in one cube, so nothing counts twice.
+#if defined(TRESS_GATHER_PROJECTION_MOMENT_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRESS_GATHER_PROJECTION_MOMENT_WALK_INL_H
+#undef TRESS_GATHER_PROJECTION_MOMENT_WALK_INL_H
+#else
+#define TRESS_GATHER_PROJECTION_MOMENT_WALK_INL_H
+#endif
+
+#include <bit>
+
+#include "gather/projection/arcs-inl.h"
+#include "gather/projection/cube_pattern.h"
+#include "gather/projection/projection_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace tress {
+namespace HWY_NAMESPACE {
+
+using CubeFloats = hn::CappedTag<float, 8>;
+using CubeInts = hn::RebindToSigned<CubeFloats>;
+using CubeVec = hn::Vec<CubeFloats>;
+
+HWY_INLINE CubeVec cube_inverse_sqrt(CubeVec x) {
+    const CubeInts di;
+    const CubeFloats d;
+    CubeVec y = hn::BitCast(d, hn::Set(di, 0x5f375a86) - hn::ShiftRight<1>(hn::BitCast(di, x)));
+    const CubeVec half = hn::Set(d, 0.5f) * x, three_halves = hn::Set(d, 1.5f);
+    y = y * (three_halves - half * y * y);
+    y = y * (three_halves - half * y * y);
+    return y;
+}
+
+/// The eight cubes of a block as seen from a point.
+struct SeenCubes {
+    HWY_ALIGN float x[8], y[8], z[8];   // centroids, relative to the point
+    HWY_ALIGN float solid_angle[8];     // of all hair in it
+    HWY_ALIGN float splats[8];          // that stand for it
+    HWY_ALIGN int32_t opacity_row[8];
+    uint32_t taken, opened;             // bits
+};
+
+/// `size`: of a cube's side. `reach`: of a cube that is opened the distance is less.
+HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, float splats_at_reach, SeenCubes& seen) {
+    const CubeFloats d;
+    const CubeInts di;
+    const CubeVec zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    seen.taken = seen.opened = 0;
+    for (size_t i = 0; i < 8; i += hn::Lanes(d)) {
+        const CubeVec x = hn::Load(d, b.x + i) - hn::Set(d, from.x), y = hn::Load(d, b.y + i) - hn::Set(d, from.y),
+                      z = hn::Load(d, b.z + i) - hn::Set(d, from.z);
+        const CubeVec squared = hn::Max(x * x + y * y + z * z, hn::Set(d, 1e-30f));
+        const CubeVec inverse = cube_inverse_sqrt(squared), inverse_squared = inverse * inverse;
+        const CubeVec xx = hn::Load(d, b.xx + i), yy = hn::Load(d, b.yy + i), zz = hn::Load(d, b.zz + i);
+        const CubeVec area = xx + yy + zz;
+        const CubeVec mixed = x * y * hn::Load(d, b.xy + i) + x * z * hn::Load(d, b.xz + i) + y * z * hn::Load(d, b.yz + i);
+        const CubeVec along = (x * x * xx + y * y * yy + z * z * zz + hn::Set(d, 2.0f) * mixed) * inverse_squared;
+        const CubeVec across = hn::Max(area - along, area * hn::Set(d, 1e-6f));
+        const CubeVec product = hn::Max(area * across, hn::Set(d, 1e-30f));
+        const CubeVec projected = product * cube_inverse_sqrt(product);
+        const CubeVec sine = projected / hn::Max(area, hn::Set(d, 1e-30f));
+        hn::Store(x, d, seen.x + i), hn::Store(y, d, seen.y + i), hn::Store(z, d, seen.z + i);
+        hn::Store(projected * inverse_squared, d, seen.solid_angle + i);
+        const CubeVec share = hn::Set(d, splats_at_reach * reach * reach) * inverse_squared;
+        hn::Store(hn::Min(hn::Ceil(share), hn::Set(d, float(kMostSubSplats))), d, seen.splats + i);
+        const CubeVec row = hn::Min(sine, one) * hn::Set(d, float(kOpacityRows - 1)) + hn::Set(d, 0.5f);
+        const auto kind = hn::Load(di, b.kind + i);
+        hn::Store(hn::ConvertTo(di, row) + hn::ShiftLeft<std::countr_zero(unsigned(kOpacityRows))>(kind), di,
+                  seen.opacity_row + i);
+        uint8_t hair[8] = {}, near[8] = {};
+        hn::StoreMaskBits(d, area > zero, hair);
+        hn::StoreMaskBits(d, squared < hn::Set(d, reach * reach), near);
+        seen.taken |= uint32_t(hair[0] & ~near[0]) << i;
+        seen.opened |= uint32_t(hair[0] & near[0]) << i;
+    }
+}
+
+/// A cube as splats: one at its centroid, or pairs about it.
+HWY_INLINE void splat_cube(const MomentBlock& b, const SeenCubes& seen, size_t o, Splats& to) {
+    const Floats d;
+    const Ints di;
+    const size_t count = size_t(seen.splats[o]) <= 1 ? 1 : (size_t(seen.splats[o]) + 1) & ~size_t(1);
+    const float scale = count == 1 ? 0.0f : 1.0f;
+    const FloatVec hx = set(scale * b.hx[o]), hy = set(scale * b.hy[o]), hz = set(scale * b.hz[o]);
+    const FloatVec solid = set(seen.solid_angle[o] / float(count));
+    for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const size_t at = to.size + i;
+        hn::StoreU(set(seen.x[o]) + hx * hn::Load(d, kCubePattern.x + i), d, &to.x[at]);
+        hn::StoreU(set(seen.y[o]) + hy * hn::Load(d, kCubePattern.y + i), d, &to.y[at]);
+        hn::StoreU(set(seen.z[o]) + hz * hn::Load(d, kCubePattern.z + i), d, &to.z[at]);
+        hn::StoreU(solid, d, &to.solid_angle[at]);
+        hn::StoreU(hn::Set(di, seen.opacity_row[o]), di, &to.opacity_row[at]);
+    }
+    to.size += count;
+}
+
+template <class Depth>
+void draw_leaf(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen, size_t leaf,
+               ProjectionScratch& scratch, CellDepths<Depth>& to) {
+    const MomentTree& tree = in.tree;
+    const MomentPieces& p = tree.pieces;
+    const float scale = tree.leaf_size[leaf] / 65535, radius = in.weight * tree.largest_radius / 65535;
+    const Vec3 low = tree.leaf_low[leaf] + (tree.origin - from.position);
+    for (size_t i = tree.leaf_first[leaf]; i < tree.leaf_first[leaf + 1]; ++i) {
+        if (unseen.holds(p.segment[i])) continue;
+        if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
+        scratch.pieces.add(low + scale * Vec3(p.ax[i], p.ay[i], p.az[i]), low + scale * Vec3(p.bx[i], p.by[i], p.bz[i]),
+                           radius * float(p.start_radius[i]), radius * float(p.end_radius[i]),
+                           in.opacity.kind_of(p.segment[i]));
+    }
+}
+
+template <class Depth>
+void project_tree(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen, ProjectionScratch& scratch,
+                  CellDepths<Depth>& to) {
+    struct Entry {
+        int32_t block;
+        float size;  // of its cubes
+    };
+    Entry stack[8 * 24];
+    size_t entries = 0;
+    const MomentTree& tree = in.tree;
+    if (tree.blocks.empty()) return;
+    const Vec3 at = from.position - tree.origin;
+    const float per_size = 1 / (in.opening * in.igloo.cell_size());  // distance at which a cube of size 1 is taken
+    const float splats_at_reach = in.sub_splats * in.opening * in.opening;
+    const Vec3 up = from.frame.z;
+    stack[entries++] = {0, tree.half_size};
+    SeenCubes seen;
+    while (entries > 0) {
+        const Entry entry = stack[--entries];
+        const MomentBlock& block = tree.blocks[size_t(entry.block)];
+        look_at(block, at, entry.size * per_size, splats_at_reach, seen);
+        const auto hidden = [&](size_t o) {  // below the horizon of a polygon, whole
+            return from.dome == Dome::hemisphere && dot(up, Vec3(seen.x[o], seen.y[o], seen.z[o])) < -2 * entry.size;
+        };
+        for (uint32_t bits = seen.taken; bits != 0; bits &= bits - 1) {
+            const size_t o = size_t(std::countr_zero(bits));
+            if (hidden(o)) continue;
+            if (!scratch.splats.has_room(kMostSubSplats)) add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+            splat_cube(block, seen, o, scratch.splats);
+        }
+        for (uint32_t bits = seen.opened; bits != 0; bits &= bits - 1) {
+            const size_t o = size_t(std::countr_zero(bits));
+            if (hidden(o)) continue;
+            const int32_t child = block.child[o];
+            if (child >= 0)
+                stack[entries++] = {child, 0.5f * entry.size};
+            else
+                draw_leaf(in, from, unseen, size_t(~child), scratch, to);
+        }
+    }
+    draw_pieces(in.igloo, from, in.opacity, scratch, to);
+    add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tress
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Pieces of hair next to a point, to be drawn exactly.
+#pragma once
+
+#include "core/aligned_array.h"
+#include "core/math.h"
+
+namespace tress {
+
+/// Rows belong together by index; kPadding rows past `size` may be read.
+struct PieceList {
+    static constexpr size_t kCapacity = 512, kPadding = 16;
+
+    AlignedArray<float> ax, ay, az, bx, by, bz;      // ends, relative to the point
+    AlignedArray<float> start_radius, end_radius;
+    AlignedArray<int32_t> kind;  // of HairOpacity
+    size_t size = 0;
+
+    PieceList() : kind(kCapacity + kPadding) {
+        for (auto* row : {&ax, &ay, &az, &bx, &by, &bz, &start_radius, &end_radius})
+            *row = AlignedArray<float>(kCapacity + kPadding);
+    }
+
+    bool full() const { return size == kCapacity; }
+    void add(const Vec3& a, const Vec3& b, float radius_a, float radius_b, uint32_t of_kind) {
+        ax[size] = a.x, ay[size] = a.y, az[size] = a.z;
+        bx[size] = b.x, by[size] = b.y, bz[size] = b.z;
+        start_radius[size] = radius_a, end_radius[size] = radius_b;
+        kind[size] = int32_t(of_kind);
+        ++size;
+    }
+};
+
+}  // namespace tress

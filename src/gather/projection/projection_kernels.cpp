@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "gather/projection/projection_kernels.h"
+
+#include "accel/highway_targets.h"
+#include "accel/isa_targets.h"
+
+#define HWY_TARGET_INCLUDE "gather/projection/projection_kernels.cpp"
+// foreach_target.h compiles what follows it once a target, and must stand first.
+// clang-format off
+#include "hwy/foreach_target.h"
+#include "gather/projection/cell_light-inl.h"
+#include "gather/projection/far_segments-inl.h"
+#include "gather/projection/moment_walk-inl.h"
+#include "hwy/highway.h"
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace tress {
+namespace HWY_NAMESPACE {
+
+/// Calls run(depths) with the cleared sums of as many channels as the hair needs.
+template <class Run>
+void with_depths(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch, const Run& run) {
+    const size_t cells = in.igloo.cells_of(from.dome);
+    if (in.opacity.gray) {
+        scratch.gray.clear(cells);
+        run(scratch.gray);
+    } else {
+        scratch.color.clear(cells);
+        run(scratch.color);
+    }
+}
+
+void project_segments_of(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
+                         ProjectionScratch& scratch) {
+    with_depths(in, from, scratch, [&](auto& depths) { project_segments(in, from, unseen, scratch, depths); });
+}
+
+void project_tree_of(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
+                     ProjectionScratch& scratch) {
+    with_depths(in, from, scratch, [&](auto& depths) { project_tree(in, from, unseen, scratch, depths); });
+}
+
+void find_light(const ProjectionInput& in, Dome dome, const ProjectionScratch& scratch, CellLight& to) {
+    to.gray = in.opacity.gray;
+    to.cells = in.igloo.cells_of(dome);
+    if (to.gray) return find_channel<0>(in.igloo, scratch.gray, in.gap, to);
+    find_channel<0>(in.igloo, scratch.color, in.gap, to);
+    find_channel<1>(in.igloo, scratch.color, in.gap, to);
+    find_channel<2>(in.igloo, scratch.color, in.gap, to);
+}
+
+ProjectionKernels kernels_here() { return {project_segments_of, project_tree_of, find_light}; }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tress
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace tress {
+namespace {
+HWY_EXPORT(kernels_here);
+}
+
+ProjectionKernels projection_kernels(Isa isa) { return HWY_DISPATCH_TABLE(kernels_here)[kernel_index(isa)](); }
+
+}  // namespace tress
+#endif

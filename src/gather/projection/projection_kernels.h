@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Projection as compiled for one instruction set. Only the sources of this folder need this.
+#pragma once
+
+#include "core/options.h"
+#include "gather/projection/cell_light.h"
+#include "gather/projection/moment_tree.h"
+#include "gather/projection/projected_segments.h"
+#include "gather/projection/projection_scratch.h"
+
+namespace tress {
+
+/// What is projected: everything that does not depend on the point.
+struct ProjectionInput {
+    const Igloo& igloo;
+    const HairOpacity& opacity;
+    const SegmentView& view;            // the hair
+    const ProjectedSegments& segments;  // of `view`; empty where the tree is walked
+    const MomentTree& tree;             // of `view`; empty where every segment is projected
+    float opening = 2;                  // cubes larger than this many cells are opened
+    float sub_splats = 2;               // splats of a cube as large as a cell
+    float weight = 1;                   // of every segment: each stands for so many
+    float gap = 0;                      // share of the gaps between neighbours that is added (CellLight)
+};
+
+struct ProjectionKernels {
+    /// Adds every segment, or the tree, to the cells of scratch.gray or scratch.color, which are cleared before.
+    void (*project_segments)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
+    void (*project_tree)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
+    /// From the sums of depths to light.
+    void (*find_light)(const ProjectionInput&, Dome, const ProjectionScratch&, CellLight&);
+};
+
+ProjectionKernels projection_kernels(Isa isa);
+
+}  // namespace tress

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Arrays that projection keeps between points: one set a thread.
+#pragma once
+
+#include <vector>
+
+#include "gather/projection/arcs.h"
+#include "gather/projection/cell_depths.h"
+#include "gather/projection/piece_list.h"
+#include "gather/projection/splats.h"
+
+namespace tress {
+
+/// Optical depths that one wide piece adds to the cells that it covers, before they are turned into depths: parts of
+/// one fiber cover a cell side by side, not one behind another.
+struct WidePiece {
+    std::vector<Rgbx> absorbed;     // share of each cell's light, one a cell of the sphere; 0 outside the list
+    std::vector<uint32_t> touched;  // cells
+};
+
+struct ProjectionScratch {
+    Splats splats, wide_splats;
+    PieceList pieces;
+    Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
+    WidePiece wide;
+    std::vector<uint32_t> near_segments;  // too near for one splat
+    CellDepths<float> gray;
+    CellDepths<Rgbx> color;
+};
+
+}  // namespace tress

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Functions of vectors of floats, the same to the bit on every instruction set: no estimates that differ between
+// machines, no fused multiply-adds.
+#if defined(TRESS_GATHER_PROJECTION_VECTOR_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRESS_GATHER_PROJECTION_VECTOR_MATH_INL_H
+#undef TRESS_GATHER_PROJECTION_VECTOR_MATH_INL_H
+#else
+#define TRESS_GATHER_PROJECTION_VECTOR_MATH_INL_H
+#endif
+
+#include <cstddef>
+
+#include "gather/projection/polynomials.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace tress {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+inline constexpr size_t kMostLanes = 16;  // rows of arrays are padded to a multiple of this
+using Floats = hn::CappedTag<float, kMostLanes>;
+using Ints = hn::RebindToSigned<Floats>;
+using FloatVec = hn::Vec<Floats>;
+using IntVec = hn::Vec<Ints>;
+using FloatMask = hn::Mask<Floats>;
+
+HWY_INLINE FloatVec set(float value) { return hn::Set(Floats(), value); }
+
+/// c[0] + c[1] x + ...
+template <size_t kTerms>
+HWY_INLINE FloatVec polynomial(const float (&c)[kTerms], FloatVec x) {
+    FloatVec sum = set(c[kTerms - 1]);
+    for (size_t i = kTerms - 1; i-- > 0;) sum = sum * x + set(c[i]);
+    return sum;
+}
+
+/// 1 / sqrt(x) for normal positive x, within 5e-6 of itself: an estimate from the bits of x (Blinn 1997) and two of
+/// Newton's steps. Finite, but meaningless, for 0.
+HWY_INLINE FloatVec inverse_sqrt(FloatVec x) {
+    const Ints di;
+    const IntVec bits = hn::BitCast(di, x);
+    FloatVec y = hn::BitCast(Floats(), hn::Set(di, 0x5f375a86) - hn::ShiftRight<1>(bits));
+    const FloatVec half = set(0.5f) * x;
+    y = y * (set(1.5f) - half * y * y);
+    y = y * (set(1.5f) - half * y * y);
+    return y;
+}
+
+/// exp(-x) for x >= 0, within 2e-7 of itself; 0 beyond the smallest normal number.
+HWY_INLINE FloatVec exp_minus(FloatVec x) {
+    const Ints di;
+    const FloatVec power = hn::Min(x, set(86.0f)) * set(-1.44269504f);
+    const FloatVec whole = hn::Round(power);
+    const FloatVec mantissa = polynomial(kExp2Polynomial, power - whole);
+    const IntVec exponent = hn::ShiftLeft<23>(hn::ConvertTo(di, whole) + hn::Set(di, 127));
+    return hn::IfThenElseZero(x < set(86.0f), mantissa * hn::BitCast(Floats(), exponent));
+}
+
+/// Azimuth of (x, y) in turns, as turn_of of igloo.h.
+HWY_INLINE FloatVec turn_of(FloatVec x, FloatVec y) {
+    const FloatVec zero = hn::Zero(Floats());
+    const FloatVec ax = hn::Abs(x), ay = hn::Abs(y);
+    const FloatVec high = hn::Max(ax, ay), low = hn::Min(ax, ay);
+    const FloatVec t = hn::IfThenElseZero(high > zero, low / high);
+    const FloatVec octant = polynomial(kTurnPolynomial, t * t) * t;
+    const FloatVec quarter = hn::IfThenElse(ay > ax, set(0.25f) - octant, octant);
+    const FloatVec half = hn::IfThenElse(x < zero, set(0.5f) - quarter, quarter);
+    return hn::IfThenElse(y < zero, set(1.0f) - half, half);
+}
+
+/// sin(x) for |x| <= pi / 2.
+HWY_INLINE FloatVec sine(FloatVec x) { return polynomial(kSinPolynomial, x * x) * x; }
+
+HWY_INLINE FloatVec dot3(FloatVec ax, FloatVec ay, FloatVec az, FloatVec bx, FloatVec by, FloatVec bz) {
+    return ax * bx + ay * by + az * bz;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace tress
+HWY_AFTER_NAMESPACE();
+
+#endif

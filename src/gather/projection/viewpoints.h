@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// How the igloo stands about a point that is shaded.
+#pragma once
+
+#include "gather/projection/cell_depths.h"
+#include "gather/shading_point.h"
+
+namespace tress {
+
+/// Turned at random by `key`, so that what error the cells leave is noise and no pattern: about the normal at a
+/// polygon, any way round at a fiber.
+Viewpoint viewpoint_of(const ShadingPoint& point, uint64_t key);
+
+/// The fiber's own segments.
+inline Unseen unseen_from(const ShadingPoint& point) {
+    return {point.excluded.segments.first, point.excluded.segments.last};
+}
+
+}  // namespace tress
