@@ -29,49 +29,57 @@ HWY_INLINE IntVec cells_of(const Igloo& igloo, FloatVec x, FloatVec y, FloatVec 
     return cell + hn::And(below_horizon, hn::Set(di, int32_t(igloo.cells)));
 }
 
-/// -log(1 - x) for x in [0, 1), by its first terms: a piece that covers much of a cell is cut up before it comes here.
-HWY_INLINE float depth_of(float x) { return x * (1 + x * (0.5f + x * (1 / 3.0f))); }
+/// -log(1 - x) for small x, by its first terms: what covers much of a cell is cut up before it comes here.
+HWY_INLINE float depth_of(float x) { return x + 0.5f * x * x; }
 
 HWY_INLINE void add_depth(float& cell, const Rgbx& opacity, float coverage) {
     cell += depth_of(coverage * opacity.c[0]);
 }
 HWY_INLINE void add_depth(Rgbx& cell, const Rgbx& opacity, float coverage) {
-    for (int c = 0; c < 4; ++c) cell.c[c] += depth_of(coverage * opacity.c[c]);
+    const hn::CappedTag<float, 4> d;
+    for (size_t i = 0; i < 4; i += hn::Lanes(d)) {
+        const auto x = hn::Load(d, opacity.c + i) * hn::Set(d, coverage);
+        hn::Store(hn::Load(d, cell.c + i) + (x + hn::Set(d, 0.5f) * x * x), d, cell.c + i);
+    }
 }
 
-/// Empties `splats`. Pieces below the horizon of a hemisphere are not seen.
-template <class Depth>
-void add_splats(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, Splats& splats,
-                CellDepths<Depth>& to) {
+/// Finds the cell of each splat and the share of it that is covered; none below the horizon of a hemisphere.
+inline void find_cells(const Igloo& igloo, const Viewpoint& from, Splats& splats) {
     const Floats d;
     const Ints di;
-    const size_t lanes = hn::Lanes(d);
     const Frame& f = from.frame;
-    const FloatVec per_cell = set(1 / igloo.solid_angle());
+    const FloatVec per_cell = set(1 / igloo.solid_angle()), zero = hn::Zero(d);
     const bool clip = from.dome == Dome::hemisphere;
-    HWY_ALIGN int32_t cell[kMostLanes];
-    HWY_ALIGN float coverage[kMostLanes];
-    for (size_t at = 0; at < splats.size; at += lanes) {
+    for (size_t at = 0; at < splats.size; at += hn::Lanes(d)) {
         const FloatVec x = hn::Load(d, &splats.x[at]), y = hn::Load(d, &splats.y[at]), z = hn::Load(d, &splats.z[at]);
         const FloatVec inverse = inverse_sqrt(dot3(x, y, z, x, y, z));
         const FloatVec local_x = dot3(set(f.x.x), set(f.x.y), set(f.x.z), x, y, z) * inverse;
         const FloatVec local_y = dot3(set(f.y.x), set(f.y.y), set(f.y.z), x, y, z) * inverse;
         const FloatVec local_z = dot3(set(f.z.x), set(f.z.y), set(f.z.z), x, y, z) * inverse;
-        FloatVec covered = hn::Load(d, &splats.solid_angle[at]) * per_cell;
-        FloatVec height = local_z;
-        if (clip) {
-            covered = hn::IfThenElseZero(local_z >= hn::Zero(d), covered);
-            height = hn::Max(local_z, hn::Zero(d));
-        }
-        hn::Store(cells_of(igloo, local_x, local_y, height), di, cell);
-        hn::Store(covered, d, coverage);
-        const size_t count = splats.size - at < lanes ? splats.size - at : lanes;
-        for (size_t i = 0; i < count; ++i) {
-            const size_t copy = (at + i) % CellDepths<Depth>::kCopies;
-            const Rgbx& o = opacity.row[size_t(splats.opacity_row[at + i])];
-            add_depth(to.depth[copy * to.cells + size_t(cell[i])], o, coverage[i]);
-        }
+        const FloatVec covered = hn::Load(d, &splats.solid_angle[at]) * per_cell;
+        const FloatVec height = clip ? hn::Max(local_z, zero) : local_z;
+        hn::Store(cells_of(igloo, local_x, local_y, height), di, &splats.cell[at]);
+        hn::Store(clip ? hn::IfThenElseZero(local_z >= zero, covered) : covered, d, &splats.coverage[at]);
     }
+}
+
+/// Empties `splats`. Cells are found for all of them first, so that neither step waits for the other.
+template <class Depth>
+void add_splats(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, Splats& splats,
+                CellDepths<Depth>& to) {
+    find_cells(igloo, from, splats);
+    Depth* const depth = to.depth.data();
+    const Rgbx* const row = opacity.row.data();
+    const int32_t* const cell = splats.cell.data();
+    const int32_t* const opacity_row = splats.opacity_row.data();
+    const float* const coverage = splats.coverage.data();
+    const size_t size = splats.size, cells = to.cells;
+    constexpr size_t kCopies = CellDepths<Depth>::kCopies;
+    size_t i = 0;
+    for (; i + kCopies <= size; i += kCopies)
+        for (size_t copy = 0; copy < kCopies; ++copy)
+            add_depth(depth[copy * cells + size_t(cell[i + copy])], row[opacity_row[i + copy]], coverage[i + copy]);
+    for (; i < size; ++i) add_depth(depth[size_t(cell[i])], row[opacity_row[i]], coverage[i]);
     splats.size = 0;
 }
 

@@ -18,8 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-inline constexpr float kArcStep = 0.5f;      // of a cell's size, along an arc
-inline constexpr float kWideShare = 0.35f;   // of a cell's size: wider pieces are cut across too
+inline constexpr float kArcStep = 0.75f;      // of a cell's size, along an arc
+inline constexpr float kWideShare = 0.6f;   // of a cell's size: wider pieces are cut across too
 inline constexpr float kMostArcSteps = 512;  // in half a turn, however small the cells
 
 /// Signed inclination of the vector with components `across` >= 0 and `along`.
@@ -51,16 +51,20 @@ inline void make_arcs(const PieceList& p, float cell_size, Arcs& arcs) {
         const FloatVec span = hn::Max(end - psi, hn::Zero(d));
         const FloatVec wanted = hn::Min(span * set(1 / (kArcStep * cell_size)), set(kMostArcSteps));
         const FloatVec steps = hn::Max(hn::Ceil(wanted), one);
-        const FloatVec radius = set(0.5f) * (hn::Load(d, &p.start_radius[i]) + hn::Load(d, &p.end_radius[i]));
-        const FloatVec sine = hn::Min(radius / foot, one);
-        const FloatVec half_width = inclination(hn::Sqrt(one - sine * sine), sine);
+        const FloatVec start = hn::Load(d, &p.start_radius[i]), end_radius = hn::Load(d, &p.end_radius[i]);
+        const FloatVec radius = set(0.5f) * (start + end_radius);
+        const FloatVec sin_width = hn::Min(radius / foot, one);
+        const FloatVec width = set(2.0f) * inclination(hn::Sqrt(one - sin_width * sin_width), sin_width);
+        const FloatVec step = span / steps;
         hn::Store(ux, d, &arcs.ux[i]), hn::Store(uy, d, &arcs.uy[i]), hn::Store(uz, d, &arcs.uz[i]);
         hn::Store(hn::IfThenElse(through, gx / g, fx / foot), d, &arcs.nx[i]);
         hn::Store(hn::IfThenElse(through, gy / g, fy / foot), d, &arcs.ny[i]);
         hn::Store(hn::IfThenElse(through, gz / g, fz / foot), d, &arcs.nz[i]);
         hn::Store(foot, d, &arcs.foot[i]), hn::Store(along, d, &arcs.along[i]), hn::Store(length, d, &arcs.length[i]);
-        hn::Store(psi, d, &arcs.psi[i]), hn::Store(span / steps, d, &arcs.step[i]), hn::Store(steps, d, &arcs.steps[i]);
-        hn::Store(half_width, d, &arcs.half_width[i]);
+        hn::Store(psi, d, &arcs.psi[i]), hn::Store(step, d, &arcs.step[i]), hn::Store(steps, d, &arcs.steps[i]);
+        hn::Store(width, d, &arcs.width[i]);
+        hn::Store(width * set(2.0f) * sine(set(0.5f) * step), d, &arcs.solid[i]);
+        hn::Store((end_radius - start) / hn::Max(radius * length, tiny), d, &arcs.taper[i]);
     }
 }
 
@@ -70,9 +74,9 @@ struct ArcRow {
     float foot, along, length;  // of the half plane: foot is p cos(phi)
     float psi, step;
     size_t steps;
-    float width;                     // dphi
-    float start_radius, end_radius;  // the width is of their mean
-    float least_radius = 0;          // steps whose radius is smaller are not covered
+    float width, solid;      // as in Arcs
+    float radius, taper;     // mean; change along the axis, over the mean
+    float least_radius = 0;  // steps whose radius is smaller are not covered; 0: steps are as wide as their radius says
     int32_t first_opacity_row;
 };
 
@@ -80,22 +84,20 @@ struct ArcRow {
 HWY_INLINE void draw_arc(const ArcRow& arc, Splats& to) {
     const Floats d;
     const Ints di;
-    const FloatVec zero = hn::Zero(d), one = set(1.0f);
-    const float mean_radius = 0.5f * (arc.start_radius + arc.end_radius);
-    const FloatVec solid = set(arc.width * 2 * std::sin(0.5f * arc.step));
-    const FloatVec taper = set((arc.end_radius - arc.start_radius) / arc.length);
-    const bool tapered = arc.start_radius != arc.end_radius;
+    const FloatVec zero = hn::Zero(d), one = set(1.0f), solid = set(arc.solid);
     for (size_t i = 0; i < arc.steps; i += hn::Lanes(d)) {
         const FloatVec place = hn::Iota(d, float(i)) + set(0.5f);
         const FloatVec psi = hn::Clamp(set(arc.psi) + place * set(arc.step), set(-kPi / 2), set(kPi / 2));
         const FloatVec sin_psi = sine(psi);
-        const FloatVec cos_psi = hn::Sqrt(hn::Max(one - sin_psi * sin_psi, zero));
+        const FloatVec cos_squared = hn::Max(one - sin_psi * sin_psi, set(1e-12f));
+        const FloatVec inverse_cos = inverse_sqrt(cos_squared), cos_psi = cos_squared * inverse_cos;
         FloatVec covered = solid * cos_psi;
-        if (tapered) {
-            const FloatVec s = set(arc.foot) * sin_psi / hn::Max(cos_psi, set(1e-6f)) - set(arc.along);
-            const FloatVec radius = set(arc.start_radius) + taper * hn::Clamp(s, zero, set(arc.length));
-            covered = arc.least_radius > 0 ? hn::IfThenElseZero(radius >= set(arc.least_radius), covered)
-                                           : covered * radius * set(1 / mean_radius);
+        if (arc.taper != 0) {
+            const FloatVec s = hn::Clamp(set(arc.foot) * sin_psi * inverse_cos - set(arc.along), zero, set(arc.length));
+            const FloatVec in_means = one + set(arc.taper) * (s - set(0.5f * arc.length));
+            covered = arc.least_radius > 0
+                          ? hn::IfThenElseZero(in_means * set(arc.radius) >= set(arc.least_radius), covered)
+                          : covered * in_means;
         }
         const FloatVec row = cos_psi * set(float(kOpacityRows - 1)) + set(0.5f);
         hn::StoreU(sin_psi * set(arc.axis.x) + cos_psi * set(arc.normal.x), d, &to.x[to.size + i]);
@@ -113,8 +115,8 @@ inline ArcRow arc_of(const PieceList& pieces, const Arcs& arcs, size_t i) {
     row.normal = {arcs.nx[i], arcs.ny[i], arcs.nz[i]};
     row.foot = arcs.foot[i], row.along = arcs.along[i], row.length = arcs.length[i];
     row.psi = arcs.psi[i], row.step = arcs.step[i], row.steps = size_t(arcs.steps[i]);
-    row.width = 2 * arcs.half_width[i];
-    row.start_radius = pieces.start_radius[i], row.end_radius = pieces.end_radius[i];
+    row.width = arcs.width[i], row.solid = arcs.solid[i], row.taper = arcs.taper[i];
+    row.radius = 0.5f * (pieces.start_radius[i] + pieces.end_radius[i]);
     row.first_opacity_row = pieces.kind[i] * kOpacityRows;
     return row;
 }
@@ -148,8 +150,8 @@ inline void add_absorbed(Rgbx& cell, const Rgbx& share) {
 template <class Depth>
 void draw_wide(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ArcRow arc,
                ProjectionScratch& scratch, CellDepths<Depth>& to) {
-    const float radius = std::max(arc.start_radius, arc.end_radius);
-    const float half_width = std::asin(std::min(radius / arc.foot, 1.0f));
+    const float largest = arc.radius * (1 + 0.5f * std::abs(arc.taper) * arc.length);
+    const float half_width = std::asin(std::min(largest / arc.foot, 1.0f));
     const float step = kArcStep * igloo.cell_size();
     const size_t rows = size_t(std::min(std::ceil(2 * half_width / step), kMostArcSteps));
     const Vec3 normal = arc.normal, across = cross(arc.axis, normal);
@@ -167,6 +169,7 @@ void draw_wide(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opa
         const float span = std::max(std::atan2(arc.along + arc.length, arc.foot) - arc.psi, 0.0f);
         arc.steps = size_t(std::clamp(std::ceil(span / step), 1.0f, kMostArcSteps));
         arc.step = span / float(arc.steps);
+        arc.solid = arc.width * 2 * std::sin(0.5f * arc.step);
         if (!splats.has_room(arc.steps)) absorb(igloo, from, opacity, splats, wide);
         draw_arc(arc, splats);
     }

@@ -19,10 +19,12 @@ struct Arcs {
     AlignedArray<float> foot, along;       // length of the perpendicular; place of the start along the axis
     AlignedArray<float> length;
     AlignedArray<float> psi, step, steps;  // inclination of the start; of a step; their number
-    AlignedArray<float> half_width;        // asin(radius / foot), of the mean radius; pi / 2 inside the fiber
+    AlignedArray<float> width;             // 2 asin(radius / foot), of the mean radius; pi inside the fiber
+    AlignedArray<float> solid;             // width times 2 sin(step / 2): of a step, but for cos(psi)
+    AlignedArray<float> taper;             // change of radius along the axis, over the mean radius
 
     explicit Arcs(size_t capacity) {
-        for (auto* row : {&ux, &uy, &uz, &nx, &ny, &nz, &foot, &along, &length, &psi, &step, &steps, &half_width})
+        for (auto* row : {&ux, &uy, &uz, &nx, &ny, &nz, &foot, &along, &length, &psi, &step, &steps, &width, &solid, &taper})
             *row = AlignedArray<float>(capacity);
     }
 };

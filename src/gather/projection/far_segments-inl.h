@@ -17,7 +17,11 @@ namespace tress {
 namespace HWY_NAMESPACE {
 
 /// One splat stands for a segment of at most this length, in distances; longer ones than a cell are cut up.
-HWY_INLINE float longest_splat(float cell_size) { return std::min(kArcStep * cell_size, 0.25f); }
+HWY_INLINE float longest_splat(float cell_size) { return std::min(cell_size, 0.25f); }
+
+/// Nor for one that looks wider. A point's own fiber, which reaches kOwnStrandRadii along the strand, is longer or wider
+/// than this from it in any case, so that leaving it out is left to the pieces drawn exactly.
+HWY_INLINE float widest_splat(float cell_size) { return std::min(kWideShare * cell_size, 0.1f); }
 
 /// A vector of segments as one splat each: solid angle 2 r L sin(alpha) / d^2 (1 + (5 g^2 - L^2) / (8 d^2)), with alpha
 /// the angle between tangent and direction and g = L cos(alpha): the integral over the axis up to the fourth power of
@@ -27,12 +31,12 @@ HWY_INLINE FloatMask splat_segments(const ProjectedSegments& s, size_t i, const 
     const Floats d;
     const Ints di;
     const FloatVec one = set(1.0f);
-    const FloatVec x = hn::LoadU(d, &s.x[i]) - set(from.position.x), y = hn::LoadU(d, &s.y[i]) - set(from.position.y),
-                   z = hn::LoadU(d, &s.z[i]) - set(from.position.z);
-    const FloatVec length = hn::LoadU(d, &s.length[i]), radius = hn::LoadU(d, &s.radius[i]);
+    const FloatVec x = hn::Load(d, &s.x[i]) - set(from.position.x), y = hn::Load(d, &s.y[i]) - set(from.position.y),
+                   z = hn::Load(d, &s.z[i]) - set(from.position.z);
+    const FloatVec length = hn::Load(d, &s.length[i]), radius = hn::Load(d, &s.radius[i]);
     const FloatVec squared = hn::Max(dot3(x, y, z, x, y, z), set(1e-30f));
     const FloatVec inverse = inverse_sqrt(squared), inverse_squared = inverse * inverse;
-    const FloatVec along = dot3(x, y, z, hn::LoadU(d, &s.ux[i]), hn::LoadU(d, &s.uy[i]), hn::LoadU(d, &s.uz[i]));
+    const FloatVec along = dot3(x, y, z, hn::Load(d, &s.ux[i]), hn::Load(d, &s.uy[i]), hn::Load(d, &s.uz[i]));
     const FloatVec cosine = along * inverse;
     const FloatVec sine_squared = hn::Max(one - cosine * cosine, set(1e-12f));
     const FloatVec sine_alpha = sine_squared * inverse_sqrt(sine_squared);
@@ -49,53 +53,43 @@ HWY_INLINE FloatMask splat_segments(const ProjectedSegments& s, size_t i, const 
     return near;
 }
 
-template <class Depth>
-void project_range(const ProjectionInput& in, const Viewpoint& from, size_t first, size_t end,
-                   ProjectionScratch& scratch, CellDepths<Depth>& to) {
-    const Floats d;
-    const size_t lanes = hn::Lanes(d);
-    const float cell_size = in.igloo.cell_size();
-    const float longest = longest_splat(cell_size), widest = kWideShare * cell_size;
-    Splats& splats = scratch.splats;
-    for (size_t i = first; i < end; i += lanes) {
-        if (!splats.has_room(lanes)) add_splats(in.igloo, from, in.opacity, splats, to);
-        const size_t count = std::min(lanes, end - i);
-        uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, splat_segments(in.segments, i, from, longest, widest, in.weight, splats), bits);
-        for (uint32_t near = uint32_t(bits[0] | bits[1] << 8) & ((1u << count) - 1); near != 0; near &= near - 1)
-            scratch.near_segments.push_back(uint32_t(i) + uint32_t(std::countr_zero(near)));
-        if (!in.opacity.kind.empty())
-            for (size_t lane = 0; lane < count; ++lane)
-                splats.opacity_row[splats.size + lane] += int32_t(in.opacity.kind[i + lane]) * kOpacityRows;
-        splats.size += count;
-    }
-}
-
-template <class Depth>
-void draw_near_segments(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch,
-                        CellDepths<Depth>& to) {
-    for (const uint32_t i : scratch.near_segments) {
-        if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
-        scratch.pieces.add(in.view.start(i) - from.position, in.view.end(i) - from.position,
-                           in.weight * in.view.start_radius(i), in.weight * in.view.end_radius(i),
-                           in.opacity.kind_of(i));
-    }
-    scratch.near_segments.clear();
-    draw_pieces(in.igloo, from, in.opacity, scratch, to);
+/// Row `i` of the segments as a piece to be drawn exactly.
+inline void add_piece(const ProjectionInput& in, const Viewpoint& from, size_t i, uint32_t segment, PieceList& to) {
+    const ProjectedSegments& s = in.segments;
+    const Vec3 middle = Vec3(s.x[i], s.y[i], s.z[i]) - from.position;
+    const Vec3 half = 0.5f * s.length[i] * Vec3(s.ux[i], s.uy[i], s.uz[i]);
+    const float radius = in.weight * s.radius[i], taper = in.weight * s.taper[i];
+    to.add(middle - half, middle + half, radius - taper, radius + taper, in.opacity.kind_of(segment));
 }
 
 template <class Depth>
 void project_segments(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
                       ProjectionScratch& scratch, CellDepths<Depth>& to) {
-    const size_t all = in.segments.size;
-    if (unseen.first > unseen.last) {
-        project_range(in, from, 0, all, scratch, to);
-    } else {
-        project_range(in, from, 0, std::min(size_t(unseen.first), all), scratch, to);
-        project_range(in, from, std::min(size_t(unseen.last) + 1, all), all, scratch, to);
+    const size_t lanes = hn::Lanes(Floats());
+    const float cell_size = in.igloo.cell_size();
+    const float longest = longest_splat(cell_size), widest = widest_splat(cell_size);
+    const ProjectedSegments& segments = in.segments;
+    Splats& splats = scratch.splats;
+    for (size_t i = 0; i < segments.rows(); i += lanes) {
+        if (!splats.has_room(lanes)) add_splats(in.igloo, from, in.opacity, splats, to);
+        const FloatMask near_lanes = splat_segments(segments, i, from, longest, widest, in.weight, splats);
+        if (!in.opacity.kind.empty())
+            for (size_t lane = 0; lane < lanes; ++lane) {
+                const size_t segment = std::min(segments.segment_of(i + lane), segments.segments - 1);
+                splats.opacity_row[splats.size + lane] += int32_t(in.opacity.kind[segment]) * kOpacityRows;
+            }
+        splats.size += lanes;
+        uint8_t bits[8] = {};
+        hn::StoreMaskBits(Floats(), near_lanes, bits);
+        for (uint32_t near = uint32_t(bits[0] | bits[1] << 8); near != 0; near &= near - 1) {
+            const size_t row = i + size_t(std::countr_zero(near)), segment = segments.segment_of(row);
+            if (segment >= segments.segments || unseen.holds(uint32_t(segment))) continue;
+            if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
+            add_piece(in, from, row, uint32_t(segment), scratch.pieces);
+        }
     }
-    draw_near_segments(in, from, scratch, to);
-    add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+    draw_pieces(in.igloo, from, in.opacity, scratch, to);
+    add_splats(in.igloo, from, in.opacity, splats, to);
 }
 
 }  // namespace HWY_NAMESPACE

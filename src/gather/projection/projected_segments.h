@@ -7,14 +7,22 @@
 
 namespace tress {
 
-/// Segment i of a SegmentView as its middle, unit tangent, length and mean radius. Rows are padded by kPadding.
+/// A SegmentView's segments as their middle, unit tangent, length and mean radius. Neighbours on a strand often fall in
+/// one cell, where one sum waits for the other: so rows run through kStreams parts of the list in turn, and row i holds
+/// segment_of(i). Rows are padded to whole vectors with segments without area.
 struct ProjectedSegments {
-    static constexpr size_t kPadding = 16;
+    static constexpr size_t kStreams = 16;
 
     AlignedArray<float> x, y, z;     // middle
     AlignedArray<float> ux, uy, uz;  // tangent
     AlignedArray<float> length, radius;
-    size_t size = 0;
+    AlignedArray<float> taper;  // half the difference of the radii, end less start
+    size_t segments = 0;
+    size_t stream = 0;  // segments of a part
+
+    size_t rows() const { return stream * kStreams; }
+    /// At least `segments` for padding.
+    size_t segment_of(size_t row) const { return row % kStreams * stream + row / kStreams; }
 };
 
 ProjectedSegments make_projected_segments(const SegmentView& segments);

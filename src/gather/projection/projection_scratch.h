@@ -23,7 +23,6 @@ struct ProjectionScratch {
     PieceList pieces;
     Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
     WidePiece wide;
-    std::vector<uint32_t> near_segments;  // too near for one splat
     CellDepths<float> gray;
     CellDepths<Rgbx> color;
 };

@@ -15,6 +15,8 @@ struct Splats {
     AlignedArray<float> x, y, z;        // from the point towards the piece, of any length but 0
     AlignedArray<float> solid_angle;    // steradian
     AlignedArray<int32_t> opacity_row;  // of HairOpacity
+    AlignedArray<int32_t> cell;         // as found from the direction
+    AlignedArray<float> coverage;       // of the cell's solid angle
     size_t size = 0;
 
     Splats()
@@ -22,7 +24,9 @@ struct Splats {
           y(kCapacity + kPadding),
           z(kCapacity + kPadding),
           solid_angle(kCapacity + kPadding),
-          opacity_row(kCapacity + kPadding) {}
+          opacity_row(kCapacity + kPadding),
+          cell(kCapacity + kPadding),
+          coverage(kCapacity + kPadding) {}
 
     bool has_room(size_t rows) const { return size + rows <= kCapacity; }
 };
