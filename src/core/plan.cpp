@@ -24,7 +24,7 @@ struct Wanted {
 Wanted wanted_types(const Options& o) {
     Wanted w;
     w.by_path = {o.type1 == LampMethod::path, o.type2 == GatherMethod::path, o.type3 == CrossingMethod::path};
-    w.by_ray = {o.type1 != LampMethod::off && !w.by_path[0], o.type2 == GatherMethod::ray,
+    w.by_ray = {o.type1 != LampMethod::off && !w.by_path[0], o.type2 != GatherMethod::off && !w.by_path[1],
                 o.type3 != CrossingMethod::off && !w.by_path[2]};
     const ScatteredMethod scattered[] = {o.type4, o.type5};
     for (int t = 3; t < kPathTypes; ++t) {
@@ -60,6 +60,7 @@ public:
         list_attenuation();
         list_shadow_maps();
         list_photons();
+        list_projection();
         list_loop();
         return std::move(plan_);
     }
@@ -224,23 +225,60 @@ private:
                "photons for " + type_list(plan_.photon_display) + " at the eye's points", "no type shows photons");
     }
 
+    /// Empty: type 2 is by projection.
+    std::string why_no_projection() const {
+        if (!by(wanted_.by_ray, PathType::type2)) return "type 2 is not by projection";
+        if (options_.type2 == GatherMethod::ray) return "type 2 is by rays";
+        if (!plan_.hair_tree) return "no hair";
+        if (!plan_.sky && !plan_.polygon_gather) return "no light of type 2 comes through the hair";
+        return "";
+    }
+
+    void list_projection() {
+        plan_.sky = by(wanted_.by_ray, PathType::type2) && !plan_.environments.empty();
+        const std::string why_not = why_no_projection();
+        const bool projected = why_not.empty();
+        if (projected) plan_.projection = options_.projection.detail;
+        if (plan_.projection == ProjectionDetail::automatic)
+            plan_.projection = scene_.segments.point.size() > kMostProjected ? ProjectionDetail::tree : ProjectionDetail::all;
+        decide(stage::kProjectedHair, projected, projected ? std::string(detail_reason(*plan_.projection)) : "", why_not);
+    }
+
+    static const char* detail_reason(ProjectionDetail detail) {
+        switch (detail) {
+            case ProjectionDetail::simplified:
+                return "fewer strands, of fewer segments, as wide as what they stand for";
+            case ProjectionDetail::layers:
+                return "every segment; the farther, the fewer are projected";
+            case ProjectionDetail::tree:
+                return "moments in a tree of cubes, and the hair next to each point";
+            default:
+                return "every segment";
+        }
+    }
+
     void list_loop() {
         build(stage::kCameraRays, "the picture");
-        plan_.sky = by(wanted_.by_ray, PathType::type2) && !plan_.environments.empty();
         for (int t = 0; t < kPathTypes; ++t) plan_.paths[t] = by(wanted_.by_path, PathType(t));
 
         if (plan_.direct)
             build(stage::kType1, counted(plan_.lamps.size(), "lamp") + ", by " + asked(plan_.lamp_maps) + estimate());
-        if (plan_.sky)
+        if (plan_.projection)
+            build(stage::kProjection, counted(size_t(options_.projection.cells), "cell") + " a hemisphere, " +
+                                          counted(size_t(options_.projection.directions), "direction") +
+                                          (plan_.mesh_tree ? ", " + counted(size_t(options_.projection.rays), "ray") +
+                                                                 " to polygons"
+                                                           : ""));
+        if (plan_.sky && !plan_.projection)
             build(stage::kSky, counted(plan_.environments.size(), "environment") + ", by shadow rays through the hair");
         if (plan_.gather_rays()) {
             TypeSet types{};
-            types[index_of(PathType::type2)] = plan_.polygon_gather;
+            types[index_of(PathType::type2)] = plan_.polygon_gather && !plan_.projection;
             types[index_of(PathType::type3)] = plan_.crossing_gather;
             build(stage::kGatherRays, counted(size_t(options_.gather.rays), "ray") +
                                           " a sample, drawn by the scattering, for " + type_list(types));
         }
-        if (plan_.polygon_gather)
+        if (plan_.polygon_gather && !plan_.projection)
             build(stage::kPolygonGather, "the photon map at the end of gather rays, through the hair");
         if (plan_.crossing_gather)
             build(stage::kCrossingGather,
@@ -253,6 +291,7 @@ private:
     }
 
     static constexpr const char* kNoPhotons = "photons.count is 0";
+    static constexpr size_t kMostProjected = 50'000;  // segments; above, the tree is faster (docs/projection.md)
 
     const Scene& scene_;
     const Options& options_;

@@ -30,8 +30,8 @@ struct Plan {
     TypeSet types{};               // on, and some light may be theirs: they have layers
     bool background = false;       // environments are seen past everything
     bool direct = false;           // type 1: lamps, by shadow rays or maps
-    bool sky = false;              // type 2: shadow rays to environments
-    bool polygon_gather = false;   // type 2: gather rays read the photon map
+    bool sky = false;              // type 2: environments, by shadow rays or projection
+    bool polygon_gather = false;   // type 2: polygons, by the photon map where gather rays end
     bool crossing_gather = false;  // type 3: gather rays are lit where they cross hair
     TypeSet photon_display{};      // types 4 and 5: photons shown directly
     TypeSet paths{};               // traced as paths
@@ -39,7 +39,9 @@ struct Plan {
     std::optional<MapKind> lamp_maps, crossing_maps;  // that types 1 and 3 ask; none: shadow rays
     std::optional<LampCost> lamp_cost;                // by which type 1 was chosen, where it is auto
 
-    bool gather_rays() const { return polygon_gather || crossing_gather; }
+    std::optional<ProjectionDetail> projection;  // type 2: what of the hair is projected; none: rays
+
+    bool gather_rays() const { return (polygon_gather && !projection) || crossing_gather; }
     bool shadow_maps(MapKind kind) const { return lamp_maps == kind || crossing_maps == kind; }
     bool photons() const { return polygon_gather || any(photon_display); }
 };
@@ -53,12 +55,14 @@ inline constexpr const char* kHairColors = "hair colours";
 inline constexpr const char* kEnvironment = "environment table";
 inline constexpr const char* kShadowMaps[kMapKinds] = {"deep shadow maps", "opacity shadow maps",
                                                        "clustered densities"};
+inline constexpr const char* kProjectedHair = "projected hair";
 inline constexpr const char* kPhotons = "photons";
 inline constexpr const char* kPhotonMap = "photon map";
 inline constexpr const char* kShownPhotons = "shown photons";
 inline constexpr const char* kCameraRays = "camera rays";
 inline constexpr const char* kType1 = "type 1";
 inline constexpr const char* kSky = "type 2 from the sky";
+inline constexpr const char* kProjection = "type 2 by projection";
 inline constexpr const char* kGatherRays = "gather rays";
 inline constexpr const char* kPolygonGather = "type 2 from polygons";
 inline constexpr const char* kCrossingGather = "type 3";

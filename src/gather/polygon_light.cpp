@@ -12,16 +12,14 @@ Vec3 normal_towards(const TriangleMesh& mesh, uint32_t triangle, const Vec3& dir
     return dot(normal, direction) > 0 ? -normal : normal;
 }
 
-/// Radiance that the polygon at the end of a ray sends back along it.
-Rgb reflected(const Scene& scene, const IrradianceMap& map, const GatherRays& rays, size_t ray) {
-    const uint32_t triangle = rays.polygon[ray];
+}  // namespace
+
+Rgb polygon_radiance(const Scene& scene, const IrradianceMap& map, uint32_t triangle, const Vec3& at,
+                     const Vec3& direction) {
     const Rgb& albedo = scene.albedo[scene.mesh.surface[triangle]];
     if (!(max_component(albedo) > 0)) return Rgb(0);
-    const Vec3 direction = rays.rays.direction(ray), at = rays.rays.origin(ray) + rays.t[ray] * direction;
     return albedo * kInvPi * irradiance(map, at, normal_towards(scene.mesh, triangle, direction));
 }
-
-}  // namespace
 
 void PolygonLight::operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
                               const GatherRays& rays, std::span<Rgb> radiance) {
@@ -30,7 +28,9 @@ void PolygonLight::operator()(const Scene& scene, const PreparedScene& prepared,
     unshadowed_.clear();
     for (size_t ray = 0; ray < rays.rays.size(); ++ray) {
         if (rays.polygon[ray] == kNone) continue;
-        const Rgb light = rays.weight[ray] * reflected(scene, prepared.photons.irradiance, rays, ray);
+        const Vec3 direction = rays.rays.direction(ray), at = rays.rays.origin(ray) + rays.t[ray] * direction;
+        const Rgb light = rays.weight[ray] * polygon_radiance(scene, prepared.photons.irradiance, rays.polygon[ray], at,
+                                                              direction);
         if (!(max_component(light) > 0)) continue;
         lit_rays_.add_from(rays.rays, ray);
         lit_rays_.set_far(point_.size(), rays.t[ray]);

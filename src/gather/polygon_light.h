@@ -7,6 +7,10 @@
 
 namespace tress {
 
+/// Radiance that a triangle of the scene sends back along a ray in `direction` that meets it at `at`.
+Rgb polygon_radiance(const Scene& scene, const IrradianceMap& map, uint32_t triangle, const Vec3& at,
+                     const Vec3& direction);
+
 class PolygonLight {
 public:
     /// Adds to radiance[i] the light that points[i], where the rays start, sends to the eye.

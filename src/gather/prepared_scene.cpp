@@ -5,6 +5,7 @@
 
 #include "accel/build.h"
 #include "gather/photons/photon_tracing.h"
+#include "gather/projection/calibrate_gap.h"
 #include "gather/shadow_maps/seen_hair.h"
 
 namespace tress {
@@ -107,6 +108,12 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
     if (plan.hair_colors)
         timed(p.costs, stage::kHairColors, [&] { return make_hair_colors(scene, p.segments, p.attenuation); });
     make_shadow_maps(scene, plan, options, p);
+    if (plan.projection)
+        timed(p.costs, stage::kProjectedHair, [&] {
+            p.projection = make_hair_projection(p.segments, p.attenuation, *plan.projection, options);
+            calibrate_gap(scene, p, options);
+            return bytes(p.projection);
+        });
     if (plan.photons()) {
         TracedPhotons traced;
         timed(p.costs, stage::kPhotons, [&] {

@@ -14,6 +14,7 @@
 #include "core/scene.h"
 #include "core/stage_cost.h"
 #include "gather/photons/photon_maps.h"
+#include "gather/projection/hair_projection.h"
 #include "gather/shadow_maps/lamp_maps.h"
 
 namespace tress {
@@ -24,6 +25,7 @@ struct PreparedScene {
     Attenuation attenuation;                                     // empty where left out
     std::vector<std::optional<EnvironmentSampler>> environment;  // one a light; none where not an environment
     std::array<LampMaps, kMapKinds> shadow_maps;                 // by kind; empty where left out
+    HairProjection projection;                                   // likewise
     PhotonMaps photons;                                          // empty where left out
     PhotonStatistics photon_statistics;                          // likewise
     std::vector<StageCost> costs;

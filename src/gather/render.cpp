@@ -52,9 +52,10 @@ std::vector<StageCost> loop_costs(const RenderState& state, const Plan& plan) {
     };
     list(true, stage::kCameraRays, LoopStage::camera_rays, bytes(state.film));
     list(plan.direct, stage::kType1, LoopStage::type1);
-    list(plan.sky, stage::kSky, LoopStage::sky);
+    list(plan.projection.has_value(), stage::kProjection, LoopStage::projection);
+    list(plan.sky && !plan.projection, stage::kSky, LoopStage::sky);
     list(plan.gather_rays(), stage::kGatherRays, LoopStage::gather_rays);
-    list(plan.polygon_gather, stage::kPolygonGather, LoopStage::polygon_gather);
+    list(plan.polygon_gather && !plan.projection, stage::kPolygonGather, LoopStage::polygon_gather);
     list(plan.crossing_gather, stage::kCrossingGather, LoopStage::crossing_gather);
     list(any(plan.photon_display), stage::kPhotonDisplay, LoopStage::photon_display);
     list(any(plan.paths), stage::kPaths, LoopStage::paths);

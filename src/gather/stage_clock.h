@@ -13,6 +13,7 @@ enum class LoopStage : size_t {
     camera_rays,
     type1,
     sky,
+    projection,
     gather_rays,
     polygon_gather,
     crossing_gather,

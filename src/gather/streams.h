@@ -7,7 +7,7 @@
 
 namespace tress {
 
-enum class Stream : uint64_t { gather = 1, crossings, paths };
+enum class Stream : uint64_t { gather = 1, crossings, paths, projection };
 
 /// The sequence of `stream` beside that of a pixel.
 inline Sampler stream_of(const Sampler& sampler, Stream stream) {

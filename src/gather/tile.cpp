@@ -48,7 +48,11 @@ public:
             };
         };
         if (plan.direct) one_type(LoopStage::type1, PathType::type1, lights(plan.lamps, maps(plan.lamp_maps)));
-        if (plan.sky) one_type(LoopStage::sky, PathType::type2, lights(plan.environments, nullptr));
+        if (plan.projection)
+            one_type(LoopStage::projection, PathType::type2,
+                     [&] { s_.projected(c_.scene, c_.prepared, plan, c_.options, points_, samplers_, s_.radiance); });
+        else if (plan.sky)
+            one_type(LoopStage::sky, PathType::type2, lights(plan.environments, nullptr));
         if (plan.gather_rays()) gather();
         if (any(plan.photon_display)) {
             const StageTimer timer(clocks_, LoopStage::photon_display);
@@ -70,7 +74,7 @@ private:
             const StageTimer timer(clocks_, LoopStage::gather_rays);
             make_gather_rays(c_.scene, c_.prepared, c_.options, points_, samplers_, s_.gather);
         }
-        if (c_.plan.polygon_gather)
+        if (c_.plan.polygon_gather && !c_.plan.projection)
             one_type(LoopStage::polygon_gather, PathType::type2,
                      [&] { s_.polygon_light(c_.scene, c_.prepared, c_.options, s_.gather, s_.radiance); });
         if (c_.plan.crossing_gather)

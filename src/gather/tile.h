@@ -11,6 +11,7 @@
 #include "gather/paths/path_tracer.h"
 #include "gather/photons/photon_display.h"
 #include "gather/polygon_light.h"
+#include "gather/projection/projected_light.h"
 #include "gather/stage_clock.h"
 
 namespace tress {
@@ -30,6 +31,7 @@ struct TileScratch {
     std::vector<Rgb> radiance;       // one a point
     std::vector<LightByType> light;  // one a point
     DirectLight direct;
+    ProjectedLight projected;
     GatherRays gather;
     PolygonLight polygon_light;
     CrossingLight crossing_light;

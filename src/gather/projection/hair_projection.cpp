@@ -13,10 +13,11 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
     HairProjection p;
     p.options = options.projection;
     p.options.detail = detail;
+    p.bounds = bounds(segments);
     p.igloo = make_igloo(uint32_t(p.options.cells));
     p.opacity = make_hair_opacity(attenuation);
     if (detail == ProjectionDetail::tree) {
-        if (p.options.cube == 0) p.options.cube = max_component(bounds(segments).extent()) / kCubesAcross;
+        if (p.options.cube == 0) p.options.cube = max_component(p.bounds.extent()) / kCubesAcross;
         p.tree = make_moment_tree(segments, p.opacity, {p.options.leaf, p.options.cube});
     } else {
         p.segments = make_projected_segments(segments);

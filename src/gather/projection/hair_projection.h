@@ -12,12 +12,20 @@
 
 namespace tress {
 
+/// Of the mean transmittance about points of hair that the eye sees, against rays, relative to its mean.
+struct ProjectionError {
+    double rms = 0, bias = 0;
+    int points = 0;  // 0: no hair is seen, nothing is known
+};
+
 struct HairProjection {
+    Bounds bounds;  // of all hair
     Igloo igloo;
     HairOpacity opacity;
     ProjectedSegments segments;  // empty where a tree is walked
     MomentTree tree;             // empty where every segment is projected
-    ProjectionOptions options;   // with numbers in place of what is automatic, but for a gap below 0
+    ProjectionOptions options;   // with numbers in place of what is automatic; the gap by calibrate_gap
+    ProjectionError error;       // likewise
 };
 
 /// `detail` is not automatic.

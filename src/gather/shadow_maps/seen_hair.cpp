@@ -1,60 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "gather/shadow_maps/seen_hair.h"
 
-#include <tbb/parallel_for.h>
-
-#include <array>
-
-#include "core/camera.h"
-#include "core/rng.h"
-#include "gather/camera_points.h"
+#include "gather/seen_points.h"
 
 namespace tress {
-namespace {
-
-constexpr int kRays = 128;      // across the picture, and down
-constexpr int kRowsABatch = 8;  // 1024 rays, as in the pixel loop
-constexpr uint64_t kKey = hash(0, 0x7365656e);
-
-/// Rays through rows [first, first + kRowsABatch) of the grid, which covers the picture and what its filter reaches
-/// beyond.
-void add_rays(const Camera& camera, float filter_radius, int first, RayBuffer& to) {
-    const CameraFrame frame = camera_frame(camera);
-    const double reach = double(filter_radius);
-    const double across = (camera.width + 2 * reach) / kRays, down = (camera.height + 2 * reach) / kRays;
-    for (int row = first; row < first + kRowsABatch; ++row) {
-        for (int column = 0; column < kRays; ++column) {
-            const uint64_t key = hash(kKey, uint64_t(row * kRays + column));
-            const double x = (column + double(random(key, 0))) * across - reach;
-            const double y = (row + double(random(key, 1))) * down - reach;
-            to.add(Vec3(camera.from), camera_direction(frame, camera, x, y), kInfinity, {});
-        }
-    }
-}
-
-std::vector<Vec3> points_of_rows(const Scene& scene, const PreparedScene& prepared, const Options& options, int first) {
-    RayBuffer rays;
-    CameraHits hits;
-    add_rays(scene.camera, options.film.filter_radius, first, rays);
-    find_nearest(prepared, options.isa, rays, hits);
-    std::vector<Vec3> points;
-    for (size_t ray = 0; ray < rays.size(); ++ray)
-        if (hits.id[ray] != kNone && !hits.on_polygon[ray])
-            points.push_back(fiber_point(scene, prepared, rays.direction(ray), hit_of(hits, ray)).position);
-    return points;
-}
-
-}  // namespace
 
 SeenHair find_seen_hair(const Scene& scene, const PreparedScene& prepared, const Options& options) {
-    constexpr int batches = kRays / kRowsABatch;
-    static_assert(batches * kRowsABatch == kRays);
-    std::array<std::vector<Vec3>, batches> found;
-    tbb::parallel_for(0, batches,
-                      [&](int b) { found[size_t(b)] = points_of_rows(scene, prepared, options, b * kRowsABatch); });
     SeenHair seen;
     seen.bounds = bounds(prepared.segments);
-    for (const auto& points : found) seen.points.insert(seen.points.end(), points.begin(), points.end());
+    for (const ShadingPoint& point : find_seen_points(scene, prepared, options)) seen.points.push_back(point.position);
     return seen;
 }
 

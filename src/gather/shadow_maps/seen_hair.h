@@ -7,8 +7,7 @@
 
 namespace tress {
 
-/// From one camera ray at a hashed place in each cell of a grid over the picture; the same whatever the number of
-/// threads.
+/// From the points of seen_points.h.
 SeenHair find_seen_hair(const Scene& scene, const PreparedScene& prepared, const Options& options);
 
 }  // namespace tress

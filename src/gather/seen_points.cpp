@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "gather/seen_points.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+
+#include "core/camera.h"
+#include "core/rng.h"
+#include "gather/camera_points.h"
+
+namespace tress {
+namespace {
+
+constexpr int kRowsABatch = 8;  // 1024 rays, as in the pixel loop
+constexpr uint64_t kKey = hash(0, 0x7365656e);
+
+/// Rays through rows [first, first + kRowsABatch) of the grid, which covers the picture and what its filter reaches
+/// beyond.
+void add_rays(const Camera& camera, float filter_radius, int first, RayBuffer& to) {
+    const CameraFrame frame = camera_frame(camera);
+    const double reach = double(filter_radius);
+    const double across = (camera.width + 2 * reach) / kSeenRays, down = (camera.height + 2 * reach) / kSeenRays;
+    for (int row = first; row < first + kRowsABatch; ++row) {
+        for (int column = 0; column < kSeenRays; ++column) {
+            const uint64_t key = hash(kKey, uint64_t(row * kSeenRays + column));
+            const double x = (column + double(random(key, 0))) * across - reach;
+            const double y = (row + double(random(key, 1))) * down - reach;
+            to.add(Vec3(camera.from), camera_direction(frame, camera, x, y), kInfinity, {});
+        }
+    }
+}
+
+std::vector<ShadingPoint> points_of_rows(const Scene& scene, const PreparedScene& prepared, const Options& options,
+                                         int first) {
+    RayBuffer rays;
+    CameraHits hits;
+    add_rays(scene.camera, options.film.filter_radius, first, rays);
+    find_nearest(prepared, options.isa, rays, hits);
+    std::vector<ShadingPoint> points;
+    for (size_t ray = 0; ray < rays.size(); ++ray)
+        if (hits.id[ray] != kNone && !hits.on_polygon[ray])
+            points.push_back(fiber_point(scene, prepared, rays.direction(ray), hit_of(hits, ray)));
+    return points;
+}
+
+}  // namespace
+
+std::vector<ShadingPoint> find_seen_points(const Scene& scene, const PreparedScene& prepared, const Options& options) {
+    constexpr int batches = kSeenRays / kRowsABatch;
+    static_assert(batches * kRowsABatch == kSeenRays);
+    std::array<std::vector<ShadingPoint>, batches> found;
+    tbb::parallel_for(0, batches,
+                      [&](int b) { found[size_t(b)] = points_of_rows(scene, prepared, options, b * kRowsABatch); });
+    std::vector<ShadingPoint> all;
+    for (const auto& points : found) all.insert(all.end(), points.begin(), points.end());
+    return all;
+}
+
+}  // namespace tress
