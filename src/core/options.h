@@ -49,7 +49,7 @@ struct PhotonOptions {
 };
 
 struct GatherOptions {
-    int rays = 1;       // a camera sample, for types 2 and 3
+    int rays = 1;       // a camera sample, for types 2 (to polygons and to each sky) and 3
     int crossings = 1;  // of a ray, shaded for type 3, drawn by what they are seen through; 0: every one
 };
 
@@ -82,9 +82,9 @@ struct ProjectionOptions {
     ProjectionDetail detail = ProjectionDetail::automatic;
     int directions = 64;  // drawn a point by its scattering, seen through its cells
     int rays = 6;         // of these, sent to polygons
-    float opening = 2;    // tree: cubes larger than this many cells are opened
+    float opening = 3;    // tree: cubes larger than this many cells are opened
     float splats = 2;     // tree: that stand for a cube as large as a cell
-    int leaf = 8;         // tree: pieces of hair that a cube may keep undivided
+    int leaf = 16;        // tree: pieces of hair that a cube may keep undivided
     float cube = 0;       // tree: sides of the smallest cube, scene units; 0: 1/256 of the hair
     float gap = -1;       // share of the gap between neighbouring cells that is added; below 0: as rays show
     float share = 0.25f;  // simplified: of strands that are kept, as wide as those they stand for

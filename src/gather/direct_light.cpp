@@ -54,13 +54,16 @@ void DirectLight::operator()(const Scene& scene, const PreparedScene& prepared, 
         rays_.clear();
         point_of_ray_.clear();
         unshadowed_.clear();
-        for (uint32_t i = 0; i < points.size(); ++i) {
-            const Vec2 u = samplers[i].get2(dimension_of(light));
-            const Connection to = connect(scene, prepared, points[i], samplers[i], light, u);
+        const uint32_t rays = prepared.environment[light] ? uint32_t(options.gather.rays) : 1;
+        for (uint32_t i = 0; i < points.size() * rays; ++i) {
+            const ShadingPoint& point = points[i / rays];
+            const Sampler sampler{samplers[i / rays].key, samplers[i / rays].index * rays + i % rays};
+            const Vec2 u = sampler.get2(dimension_of(light));
+            const Connection to = connect(scene, prepared, point, sampler, light, u);
             if (!(max_component(to.radiance) > 0)) continue;
-            rays_.add(points[i].position, to.direction, to.distance, points[i].excluded, light, u, points[i].segment);
-            point_of_ray_.push_back(i);
-            unshadowed_.push_back(to.radiance);
+            rays_.add(point.position, to.direction, to.distance, point.excluded, light, u, point.segment);
+            point_of_ray_.push_back(i / rays);
+            unshadowed_.push_back(to.radiance / float(rays));
         }
         visibility_.resize(rays_.size());
         query_(scene, prepared, maps, options.maps.near, options, rays_, visibility_);

@@ -18,7 +18,8 @@ inline constexpr uint32_t kFirstLightDimension = kSobolGroup, kDimensionsALight 
 
 class DirectLight {
 public:
-    /// Adds to radiance[i] the light that points[i] sends to the eye from `lights`. `maps`: none: shadow rays all the
+    /// Adds to radiance[i] the light that points[i] sends to the eye from `lights`; an environment gets
+    /// options.gather.rays. `maps`: none: shadow rays all the
     /// way; environments have none.
     void operator()(const Scene& scene, const PreparedScene& prepared, const Options& options,
                     std::span<const uint32_t> lights, const LampMaps* maps, std::span<const ShadingPoint> points,

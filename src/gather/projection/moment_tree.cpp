@@ -167,6 +167,13 @@ private:
     const float largest_radius_;
 };
 
+void shrink(MomentTree& t) {
+    t.blocks.shrink_to_fit(), t.leaf_first.shrink_to_fit(), t.leaf_low.shrink_to_fit(), t.leaf_size.shrink_to_fit();
+    MomentPieces& p = t.pieces;
+    for (auto* row : {&p.ax, &p.ay, &p.az, &p.bx, &p.by, &p.bz, &p.start_radius, &p.end_radius}) row->shrink_to_fit();
+    p.segment.shrink_to_fit();
+}
+
 std::vector<HairPiece> all_pieces(const SegmentView& segments, const DVec3& origin) {
     std::vector<HairPiece> pieces(segments.size());
     tbb::parallel_for(size_t(0), segments.size(), [&](size_t i) {
@@ -194,6 +201,7 @@ MomentTree make_moment_tree(const SegmentView& segments, const HairOpacity& opac
     tree.leaf_low = std::move(part.leaf_low);
     tree.leaf_size = std::move(part.leaf_size);
     tree.pieces = std::move(part.pieces);
+    shrink(tree);
     return tree;
 }
 

@@ -45,7 +45,7 @@ struct MomentTree {
 };
 
 struct MomentTreeOptions {
-    int leaf_pieces = 8;     // a cube with more is divided
+    int leaf_pieces = 16;    // a cube with more is divided
     float least_size = 0;    // unless its sides are this short
 };
 

@@ -212,10 +212,12 @@ void ProjectedLight::by_rays(const Context& c, std::span<const ShadingPoint> poi
         far_samplers_.push_back(samplers[row]);
     }
     far_radiance_.assign(far_.size(), Rgb(0));
-    far_sky_(c.scene, c.prepared, c.options, c.plan.environments, nullptr, far_points_, far_samplers_, far_radiance_);
+    Options options = c.options;
+    options.gather.rays = options.projection.rays;
+    far_sky_(c.scene, c.prepared, options, c.plan.environments, nullptr, far_points_, far_samplers_, far_radiance_);
     if (c.plan.polygon_gather) {
-        make_gather_rays(c.scene, c.prepared, c.options, far_points_, far_samplers_, far_rays_);
-        far_polygons_(c.scene, c.prepared, c.options, far_rays_, far_radiance_);
+        make_gather_rays(c.scene, c.prepared, options, far_points_, far_samplers_, far_rays_);
+        far_polygons_(c.scene, c.prepared, options, far_rays_, far_radiance_);
     }
     for (size_t i = 0; i < far_.size(); ++i) radiance[far_[i]] += far_radiance_[i];
 }
