@@ -41,7 +41,7 @@ struct Viewpoint {
 struct Unseen {
     uint32_t first = 1, last = 0;
 
-    bool holds(uint32_t segment) const { return segment >= first && segment <= last; }
+    bool holds(uint32_t segment, uint32_t count = 1) const { return segment + count > first && segment <= last; }
 };
 
 }  // namespace tress

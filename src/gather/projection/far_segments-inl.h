@@ -27,7 +27,7 @@ HWY_INLINE float widest_splat(float cell_size) { return std::min(kWideShare * ce
 /// the angle between tangent and direction and g = L cos(alpha): the integral over the axis up to the fourth power of
 /// L / d. Returns those that are too near; their solid angle is set to 0.
 HWY_INLINE FloatMask splat_segments(const ProjectedSegments& s, size_t i, const Viewpoint& from, float longest,
-                                    float widest, float weight, Splats& to) {
+                                    float widest, Splats& to) {
     const Floats d;
     const Ints di;
     const FloatVec one = set(1.0f);
@@ -42,8 +42,8 @@ HWY_INLINE FloatMask splat_segments(const ProjectedSegments& s, size_t i, const 
     const FloatVec sine_alpha = sine_squared * inverse_sqrt(sine_squared);
     const FloatVec in_distances = length * length * inverse_squared;
     const FloatVec higher = one + set(0.125f) * in_distances * (set(5.0f) * cosine * cosine - one);
-    const FloatVec solid = set(2 * weight) * radius * length * sine_alpha * inverse_squared * higher;
-    const FloatVec width = set(2 * weight) * radius;
+    const FloatVec solid = set(2.0f) * radius * length * sine_alpha * inverse_squared * higher;
+    const FloatVec width = set(2.0f) * radius;
     const FloatMask near = hn::Or(length * length > set(longest * longest) * squared,
                                   width * width > set(widest * widest) * squared);
     hn::StoreU(x, d, &to.x[to.size]), hn::StoreU(y, d, &to.y[to.size]), hn::StoreU(z, d, &to.z[to.size]);
@@ -53,43 +53,79 @@ HWY_INLINE FloatMask splat_segments(const ProjectedSegments& s, size_t i, const 
     return near;
 }
 
-/// Row `i` of the segments as a piece to be drawn exactly.
-inline void add_piece(const ProjectionInput& in, const Viewpoint& from, size_t i, uint32_t segment, PieceList& to) {
-    const ProjectedSegments& s = in.segments;
+/// Row `i` of `s` as a piece to be drawn exactly.
+inline void add_piece(const ProjectedSegments& s, const Viewpoint& from, size_t i, uint32_t kind, PieceList& to) {
     const Vec3 middle = Vec3(s.x[i], s.y[i], s.z[i]) - from.position;
     const Vec3 half = 0.5f * s.length[i] * Vec3(s.ux[i], s.uy[i], s.uz[i]);
-    const float radius = in.weight * s.radius[i], taper = in.weight * s.taper[i];
-    to.add(middle - half, middle + half, radius - taper, radius + taper, in.opacity.kind_of(segment));
+    to.add(middle - half, middle + half, s.radius[i] - s.taper[i], s.radius[i] + s.taper[i], kind);
+}
+
+/// Splats for rows of `s` from `first` on, a vector of them. original_of(lane) is the scene's segment of a row; lanes
+/// from `count` on are padding.
+template <class Depth, class Original>
+HWY_INLINE void project_rows(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
+                             const ProjectedSegments& s, size_t first, size_t count, const Original& original_of,
+                             ProjectionScratch& scratch, CellDepths<Depth>& to) {
+    const size_t lanes = hn::Lanes(Floats());
+    const float cell_size = in.igloo.cell_size();
+    Splats& splats = scratch.splats;
+    if (!splats.has_room(lanes)) add_splats(in.igloo, from, in.opacity, splats, to);
+    const FloatMask near_lanes =
+        splat_segments(s, first, from, longest_splat(cell_size), widest_splat(cell_size), splats);
+    if (!in.opacity.kind.empty())
+        for (size_t lane = 0; lane < count; ++lane)
+            splats.opacity_row[splats.size + lane] += int32_t(in.opacity.kind[original_of(lane)]) * kOpacityRows;
+    splats.size += count;
+    uint8_t bits[8] = {};
+    hn::StoreMaskBits(Floats(), near_lanes, bits);
+    for (uint32_t near = uint32_t(bits[0] | bits[1] << 8) & ((1u << count) - 1); near != 0; near &= near - 1) {
+        const size_t lane = size_t(std::countr_zero(near));
+        const uint32_t original = original_of(lane);
+        if (unseen.holds(original, in.segments.stands_for)) continue;
+        if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
+        add_piece(s, from, first + lane, in.opacity.kind_of(original), scratch.pieces);
+    }
 }
 
 template <class Depth>
 void project_segments(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
                       ProjectionScratch& scratch, CellDepths<Depth>& to) {
+    const ProjectedSegments& s = in.segments;
     const size_t lanes = hn::Lanes(Floats());
-    const float cell_size = in.igloo.cell_size();
-    const float longest = longest_splat(cell_size), widest = widest_splat(cell_size);
-    const ProjectedSegments& segments = in.segments;
-    Splats& splats = scratch.splats;
-    for (size_t i = 0; i < segments.rows(); i += lanes) {
-        if (!splats.has_room(lanes)) add_splats(in.igloo, from, in.opacity, splats, to);
-        const FloatMask near_lanes = splat_segments(segments, i, from, longest, widest, in.weight, splats);
-        if (!in.opacity.kind.empty())
-            for (size_t lane = 0; lane < lanes; ++lane) {
-                const size_t segment = std::min(segments.segment_of(i + lane), segments.segments - 1);
-                splats.opacity_row[splats.size + lane] += int32_t(in.opacity.kind[segment]) * kOpacityRows;
-            }
-        splats.size += lanes;
-        uint8_t bits[8] = {};
-        hn::StoreMaskBits(Floats(), near_lanes, bits);
-        for (uint32_t near = uint32_t(bits[0] | bits[1] << 8); near != 0; near &= near - 1) {
-            const size_t row = i + size_t(std::countr_zero(near)), segment = segments.segment_of(row);
-            if (segment >= segments.segments || unseen.holds(uint32_t(segment))) continue;
-            if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
-            add_piece(in, from, row, uint32_t(segment), scratch.pieces);
-        }
+    for (size_t i = 0; i < s.rows(); i += lanes) {
+        // Rows past the last segment have neither length nor radius; what is said of them does not count.
+        const auto original_of = [&](size_t lane) {
+            return s.original_of(std::min(s.segment_of(i + lane), s.segments - 1));
+        };
+        project_rows(in, from, unseen, s, i, lanes, original_of, scratch, to);
     }
     draw_pieces(in.igloo, from, in.opacity, scratch, to);
-    add_splats(in.igloo, from, in.opacity, splats, to);
+    add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+}
+
+/// Those of scratch.chosen, as wide as their weights say.
+template <class Depth>
+void project_chosen(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
+                    ProjectionScratch& scratch, CellDepths<Depth>& to) {
+    const ProjectedSegments& all = in.segments;
+    ProjectedSegments& block = scratch.chosen_rows;
+    const size_t lanes = hn::Lanes(Floats());
+    const std::vector<ChosenSegment>& chosen = scratch.chosen;
+    for (size_t i = 0; i < chosen.size(); i += lanes) {
+        const size_t count = std::min(lanes, chosen.size() - i);
+        for (size_t lane = 0; lane < count; ++lane) {
+            const size_t row = all.row_of(chosen[i + lane].segment);
+            const float weight = chosen[i + lane].weight;
+            block.x[lane] = all.x[row], block.y[lane] = all.y[row], block.z[lane] = all.z[row];
+            block.ux[lane] = all.ux[row], block.uy[lane] = all.uy[row], block.uz[lane] = all.uz[row];
+            block.length[lane] = all.length[row];
+            block.radius[lane] = weight * all.radius[row], block.taper[lane] = weight * all.taper[row];
+        }
+        project_rows(in, from, unseen, block, 0, count, [&](size_t lane) { return chosen[i + lane].segment; }, scratch,
+                     to);
+    }
+    draw_pieces(in.igloo, from, in.opacity, scratch, to);
+    add_splats(in.igloo, from, in.opacity, scratch.splats, to);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "gather/projection/projection_kernels.h"
+#include "gather/projection/strand_layers.h"
 
 namespace tress {
 
@@ -22,8 +23,9 @@ struct HairProjection {
     Bounds bounds;  // of all hair
     Igloo igloo;
     HairOpacity opacity;
-    ProjectedSegments segments;  // empty where a tree is walked
-    MomentTree tree;             // empty where every segment is projected
+    ProjectedSegments segments;  // all or simplified; empty where a tree is walked
+    StrandLayers layers;         // empty where distance does not choose
+    MomentTree tree;             // empty where segments are projected
     ProjectionOptions options;   // with numbers in place of what is automatic; the gap by calibrate_gap
     ProjectionError error;       // likewise
 };

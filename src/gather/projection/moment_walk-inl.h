@@ -100,7 +100,7 @@ void draw_leaf(const ProjectionInput& in, const Viewpoint& from, const Unseen& u
                ProjectionScratch& scratch, CellDepths<Depth>& to) {
     const MomentTree& tree = in.tree;
     const MomentPieces& p = tree.pieces;
-    const float scale = tree.leaf_size[leaf] / 65535, radius = in.weight * tree.largest_radius / 65535;
+    const float scale = tree.leaf_size[leaf] / 65535, radius = tree.largest_radius / 65535;
     const Vec3 low = tree.leaf_low[leaf] + (tree.origin - from.position);
     for (size_t i = tree.leaf_first[leaf]; i < tree.leaf_first[leaf + 1]; ++i) {
         if (unseen.holds(p.segment[i])) continue;

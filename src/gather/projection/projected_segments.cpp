@@ -5,12 +5,18 @@
 
 namespace tress {
 
-ProjectedSegments make_projected_segments(const SegmentView& segments) {
+ProjectedSegments make_rows(size_t rows) {
     ProjectedSegments p;
-    p.segments = segments.size();
-    p.stream = (p.segments + ProjectedSegments::kStreams - 1) / ProjectedSegments::kStreams;
+    p.stream = rows / ProjectedSegments::kStreams;
     for (auto* row : {&p.x, &p.y, &p.z, &p.ux, &p.uy, &p.uz, &p.length, &p.radius, &p.taper})
-        *row = AlignedArray<float>(p.rows());
+        *row = AlignedArray<float>(rows);
+    return p;
+}
+
+ProjectedSegments make_projected_segments(const SegmentView& segments) {
+    constexpr size_t streams = ProjectedSegments::kStreams;
+    ProjectedSegments p = make_rows((segments.size() + streams - 1) / streams * streams);
+    p.segments = segments.size();
     tbb::parallel_for(size_t(0), p.rows(), [&](size_t i) {
         const size_t segment = p.segment_of(i);
         if (segment >= p.segments) return;
@@ -26,6 +32,6 @@ ProjectedSegments make_projected_segments(const SegmentView& segments) {
     return p;
 }
 
-size_t bytes(const ProjectedSegments& p) { return 9 * p.x.size() * sizeof(float); }
+size_t bytes(const ProjectedSegments& p) { return 9 * p.x.size() * sizeof(float) + p.original.capacity() * sizeof(uint32_t); }
 
 }  // namespace tress

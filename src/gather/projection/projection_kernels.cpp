@@ -36,6 +36,11 @@ void project_segments_of(const ProjectionInput& in, const Viewpoint& from, const
     with_depths(in, from, scratch, [&](auto& depths) { project_segments(in, from, unseen, scratch, depths); });
 }
 
+void project_chosen_of(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
+                       ProjectionScratch& scratch) {
+    with_depths(in, from, scratch, [&](auto& depths) { project_chosen(in, from, unseen, scratch, depths); });
+}
+
 void project_tree_of(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
                      ProjectionScratch& scratch) {
     with_depths(in, from, scratch, [&](auto& depths) { project_tree(in, from, unseen, scratch, depths); });
@@ -50,7 +55,7 @@ void find_light(const ProjectionInput& in, Dome dome, const ProjectionScratch& s
     find_channel<2>(in.igloo, scratch.color, in.gap, to);
 }
 
-ProjectionKernels kernels_here() { return {project_segments_of, project_tree_of, find_light}; }
+ProjectionKernels kernels_here() { return {project_segments_of, project_chosen_of, project_tree_of, find_light}; }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace tress

@@ -14,18 +14,17 @@ namespace tress {
 struct ProjectionInput {
     const Igloo& igloo;
     const HairOpacity& opacity;
-    const SegmentView& view;            // the hair
-    const ProjectedSegments& segments;  // of `view`; empty where the tree is walked
-    const MomentTree& tree;             // of `view`; empty where every segment is projected
+    const ProjectedSegments& segments;  // empty where the tree is walked
+    const MomentTree& tree;             // empty where segments are projected
     float opening = 2;                  // cubes larger than this many cells are opened
     float sub_splats = 2;               // splats of a cube as large as a cell
-    float weight = 1;                   // of every segment: each stands for so many
     float gap = 0;                      // share of the gaps between neighbours that is added (CellLight)
 };
 
 struct ProjectionKernels {
-    /// Adds every segment, or the tree, to the cells of scratch.gray or scratch.color, which are cleared before.
+    /// Adds every segment, those of scratch.chosen, or the tree to the cells of scratch.gray or scratch.color, which are cleared before.
     void (*project_segments)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
+    void (*project_chosen)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_tree)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     /// From the sums of depths to light.
     void (*find_light)(const ProjectionInput&, Dome, const ProjectionScratch&, CellLight&);

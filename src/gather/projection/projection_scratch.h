@@ -7,6 +7,7 @@
 #include "gather/projection/arcs.h"
 #include "gather/projection/cell_depths.h"
 #include "gather/projection/piece_list.h"
+#include "gather/projection/projected_segments.h"
 #include "gather/projection/splats.h"
 
 namespace tress {
@@ -18,7 +19,15 @@ struct WidePiece {
     std::vector<uint32_t> touched;  // cells
 };
 
+/// A segment that stands for `weight` like it.
+struct ChosenSegment {
+    uint32_t segment;
+    float weight;
+};
+
 struct ProjectionScratch {
+    std::vector<ChosenSegment> chosen;  // by layers of distance
+    ProjectedSegments chosen_rows = make_rows(ProjectedSegments::kStreams);
     Splats splats, wide_splats;
     PieceList pieces;
     Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
