@@ -3,7 +3,8 @@
 //     projection_bench [SCENE] [--points N] [--rays N] [--on hair|polygons] [--segments N] [--set "key=value ..."]...
 // One row for every --set. E is the mean over the sphere (at polygons: the hemisphere) of transmittance of hair times
 // the light of a sky: E0 uniform, E1 4 max(0, cos), E2 max(0, cos)^64, a lobe of 10 degrees. Errors are relative to
-// the mean E of all points: root of mean square, and signed mean. Truth: rays, N stratified ones a point. Times: one thread.
+// the mean E of all points: root of mean square, and signed mean. Truth: rays, N stratified ones a point. Times: one
+// thread.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -158,7 +159,8 @@ void measure(const Scene& scene, Options options, const std::string& row, const 
     const double sum = std::accumulate(times.begin(), times.end(), 0.0);
     std::printf("%-60s build %5.2f s %7.1f MB  %9.1f us a point", row.c_str(), built - start,
                 double(bytes(projection)) / 1e6, 1e6 * sum / double(n));
-    if (detail == ProjectionDetail::all) std::printf(" (%.2f ns a segment)", 1e9 * sum / double(n) / double(prepared.segments.size()));
+    if (detail == ProjectionDetail::all)
+        std::printf(" (%.2f ns a segment)", 1e9 * sum / double(n) / double(prepared.segments.size()));
     print_errors(found, truth.e);
     std::printf("\n");
     std::fflush(stdout);
@@ -191,8 +193,8 @@ void run(const Arguments& arguments) {
     });
     double mean = 0;
     for (const Irradiance& e : truth.e) mean += e.e[0] / double(n);
-    std::printf("%zu segments, %zu points, truth by %d rays a point in %.1f s, mean E0 %.4f\n", prepared.segments.size(), n,
-                arguments.rays, seconds() - start, mean);
+    std::printf("%zu segments, %zu points, truth by %d rays a point in %.1f s, mean E0 %.4f\n",
+                prepared.segments.size(), n, arguments.rays, seconds() - start, mean);
     for (const int rays : {256, 1024}) {
         std::vector<Irradiance> found(n);
         const double from = seconds();

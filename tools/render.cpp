@@ -106,6 +106,13 @@ void print_estimate(const RenderStats& stats, const Plan& plan) {
                      core_seconds(stats, stage::kType1));
 }
 
+void print(const ProjectionReport& report) {
+    if (report.error.points == 0) return;
+    std::fprintf(stderr,
+                 "projection: transmittance about %d points of hair is off by %.2f %% (rms; mean %+.2f %%), gap %.2f\n",
+                 report.error.points, 100 * report.error.rms, 100 * report.error.bias, double(report.gap));
+}
+
 void run(const RenderArguments& arguments) {
     const auto start = Clock::now();
     const SceneDescription description = describe(arguments.scene);
@@ -134,12 +141,14 @@ void run(const RenderArguments& arguments) {
     stats.types_on_hair = type_shares(state.film, ShareOf::hair);
     stats.photons = prepared.photon_statistics;
     stats.lamp_cost = plan.lamp_cost;
+    if (plan.projection) stats.projection = {prepared.projection.options.gap, prepared.projection.error};
     stats.threads = threads;
     if (!arguments.quiet) {
         for (const std::string& line : photon_lines(stats.photons, scene)) std::fprintf(stderr, "%s\n", line.c_str());
         print("light", stats.types);
         print("light on hair", stats.types_on_hair);
         if (plan.lamp_cost) print_estimate(stats, plan);
+        if (stats.projection) print(*stats.projection);
     }
     stats.spp = state.samples;
     stats.isa = isa_name(isa);

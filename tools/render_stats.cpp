@@ -23,6 +23,13 @@ nlohmann::ordered_json to_json(const LampCost& cost) {
     return {{"core_seconds_rays", cost.rays}, {"core_seconds_maps", cost.maps}, {"core_seconds_build", cost.build}};
 }
 
+nlohmann::ordered_json to_json(const ProjectionReport& report) {
+    return {{"gap", report.gap},
+            {"points", report.error.points},
+            {"rms_error", report.error.rms},
+            {"bias", report.error.bias}};
+}
+
 }  // namespace
 
 uint64_t peak_rss_bytes() {
@@ -49,6 +56,7 @@ nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
             {"types", to_json(stats.types)},
             {"types_on_hair", to_json(stats.types_on_hair)},
             {"photons", stats.photons.lights.empty() ? Json() : to_json(stats.photons)},
+            {"projection", stats.projection ? to_json(*stats.projection) : Json()},
             {"spp", stats.spp},
             {"threads", stats.threads},
             {"isa", stats.isa},

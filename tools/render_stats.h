@@ -9,8 +9,15 @@
 #include "core/plan.h"
 #include "core/stage_cost.h"
 #include "core/type_shares.h"
+#include "gather/projection/hair_projection.h"
 
 namespace tress {
+
+/// Of projection: the gap that was added, and the error that rays showed (gather/projection/calibrate_gap.h).
+struct ProjectionReport {
+    float gap = 0;
+    ProjectionError error;
+};
 
 struct RenderStats {
     double load_seconds = 0, build_seconds = 0, render_seconds = 0, total_seconds = 0;
@@ -19,6 +26,7 @@ struct RenderStats {
     std::optional<LampCost> lamp_cost;  // as estimated
     std::vector<TypeShare> types, types_on_hair;
     PhotonStatistics photons;
+    std::optional<ProjectionReport> projection;
     int spp = 0, threads = 0;
     std::string isa;  // the one used
     uint64_t segments = 0, dropped_segments = 0;

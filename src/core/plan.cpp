@@ -240,8 +240,10 @@ private:
         const bool projected = why_not.empty();
         if (projected) plan_.projection = options_.projection.detail;
         if (plan_.projection == ProjectionDetail::automatic)
-            plan_.projection = scene_.segments.point.size() > kMostProjected ? ProjectionDetail::tree : ProjectionDetail::all;
-        decide(stage::kProjectedHair, projected, projected ? std::string(detail_reason(*plan_.projection)) : "", why_not);
+            plan_.projection =
+                scene_.segments.point.size() > kMostProjected ? ProjectionDetail::tree : ProjectionDetail::all;
+        decide(stage::kProjectedHair, projected, projected ? std::string(detail_reason(*plan_.projection)) : "",
+               why_not);
     }
 
     static const char* detail_reason(ProjectionDetail detail) {
@@ -264,11 +266,11 @@ private:
         if (plan_.direct)
             build(stage::kType1, counted(plan_.lamps.size(), "lamp") + ", by " + asked(plan_.lamp_maps) + estimate());
         if (plan_.projection)
-            build(stage::kProjection, counted(size_t(options_.projection.cells), "cell") + " a hemisphere, " +
-                                          counted(size_t(options_.projection.directions), "direction") +
-                                          (plan_.mesh_tree ? ", " + counted(size_t(options_.projection.rays), "ray") +
-                                                                 " to polygons"
-                                                           : ""));
+            build(
+                stage::kProjection,
+                counted(size_t(options_.projection.cells), "cell") + " a hemisphere, " +
+                    counted(size_t(options_.projection.directions), "direction") +
+                    (plan_.mesh_tree ? ", " + counted(size_t(options_.projection.rays), "ray") + " to polygons" : ""));
         if (plan_.sky && !plan_.projection)
             build(stage::kSky, counted(plan_.environments.size(), "environment") + ", by shadow rays through the hair");
         if (plan_.gather_rays()) {

@@ -29,8 +29,8 @@ void PolygonLight::operator()(const Scene& scene, const PreparedScene& prepared,
     for (size_t ray = 0; ray < rays.rays.size(); ++ray) {
         if (rays.polygon[ray] == kNone) continue;
         const Vec3 direction = rays.rays.direction(ray), at = rays.rays.origin(ray) + rays.t[ray] * direction;
-        const Rgb light = rays.weight[ray] * polygon_radiance(scene, prepared.photons.irradiance, rays.polygon[ray], at,
-                                                              direction);
+        const Rgb light =
+            rays.weight[ray] * polygon_radiance(scene, prepared.photons.irradiance, rays.polygon[ray], at, direction);
         if (!(max_component(light) > 0)) continue;
         lit_rays_.add_from(rays.rays, ray);
         lit_rays_.set_far(point_.size(), rays.t[ray]);

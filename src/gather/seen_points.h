@@ -6,8 +6,8 @@
 
 namespace tress {
 
-/// From one camera ray at a hashed place in each cell of a grid of kSeenRays x kSeenRays over the picture; the same whatever the
-/// number of threads.
+/// From one camera ray at a hashed place in each cell of a grid of kSeenRays x kSeenRays over the picture; the same
+/// whatever the number of threads.
 inline constexpr int kSeenRays = 128;
 std::vector<ShadingPoint> find_seen_points(const Scene& scene, const PreparedScene& prepared, const Options& options);
 

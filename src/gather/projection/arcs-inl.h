@@ -18,8 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-inline constexpr float kArcStep = 0.75f;      // of a cell's size, along an arc
-inline constexpr float kWideShare = 0.6f;   // of a cell's size: wider pieces are cut across too
+inline constexpr float kArcStep = 0.5f;      // of a cell's size, along an arc
+inline constexpr float kWideStep = 0.25f;    // along and across wide pieces, whose rims show
+inline constexpr float kWideShare = 0.45f;   // of a cell's size: wider pieces are cut across too
 inline constexpr float kMostArcSteps = 512;  // in half a turn, however small the cells
 
 /// Signed inclination of the vector with components `across` >= 0 and `along`.
@@ -34,7 +35,8 @@ inline void make_arcs(const PieceList& p, float cell_size, Arcs& arcs) {
     const FloatVec tiny = set(1e-30f), one = set(1.0f);
     for (size_t i = 0; i < p.size; i += hn::Lanes(d)) {
         const FloatVec ax = hn::Load(d, &p.ax[i]), ay = hn::Load(d, &p.ay[i]), az = hn::Load(d, &p.az[i]);
-        const FloatVec ex = hn::Load(d, &p.bx[i]) - ax, ey = hn::Load(d, &p.by[i]) - ay, ez = hn::Load(d, &p.bz[i]) - az;
+        const FloatVec ex = hn::Load(d, &p.bx[i]) - ax, ey = hn::Load(d, &p.by[i]) - ay,
+                       ez = hn::Load(d, &p.bz[i]) - az;
         const FloatVec length = hn::Sqrt(hn::Max(dot3(ex, ey, ez, ex, ey, ez), tiny));
         const FloatVec ux = ex / length, uy = ey / length, uz = ez / length;
         const FloatVec along = dot3(ax, ay, az, ux, uy, uz);
@@ -42,7 +44,7 @@ inline void make_arcs(const PieceList& p, float cell_size, Arcs& arcs) {
         const FloatVec squared = dot3(fx, fy, fz, fx, fy, fz);
         const FloatVec foot = hn::Sqrt(hn::Max(squared, tiny));
         // Across an axis that passes through the point: any perpendicular, by the axis' smaller components.
-        const FloatMask through = squared <= tiny;
+        const FloatMask through = squared <= set(4e-12f) * dot3(ax, ay, az, ax, ay, az) + tiny;
         const FloatMask flat = hn::Abs(uz) < set(0.7f);
         const FloatVec gx = hn::IfThenElse(flat, uy, uz), gy = hn::IfThenElse(flat, hn::Neg(ux), hn::Zero(d));
         const FloatVec gz = hn::IfThenElse(flat, hn::Zero(d), hn::Neg(ux));
@@ -124,14 +126,13 @@ inline ArcRow arc_of(const PieceList& pieces, const Arcs& arcs, size_t i) {
 /// Adds what the splats absorb to the sums of one piece, and empties them.
 inline void absorb(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, Splats& splats,
                    WidePiece& to) {
-    const float per_cell = 1 / igloo.solid_angle();
+    find_cells(igloo, from, splats);
     for (size_t i = 0; i < splats.size; ++i) {
-        const Vec3 direction = from.frame.to_local(normalize(Vec3(splats.x[i], splats.y[i], splats.z[i])));
-        if (from.dome == Dome::hemisphere && direction.z < 0) continue;
-        const uint32_t cell = cell_of(igloo, direction);
+        const float coverage = splats.coverage[i];
+        if (!(coverage > 0)) continue;
+        const uint32_t cell = uint32_t(splats.cell[i]);
         Rgbx& sum = to.absorbed[cell];
         if (sum.c[3] == 0) to.touched.push_back(cell);
-        const float coverage = splats.solid_angle[i] * per_cell;
         const Rgbx& o = opacity.row[size_t(splats.opacity_row[i])];
         for (int c = 0; c < 3; ++c) sum.c[c] += coverage * o.c[c];
         sum.c[3] = 1;
@@ -152,7 +153,7 @@ void draw_wide(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opa
                ProjectionScratch& scratch, CellDepths<Depth>& to) {
     const float largest = arc.radius * (1 + 0.5f * std::abs(arc.taper) * arc.length);
     const float half_width = std::asin(std::min(largest / arc.foot, 1.0f));
-    const float step = kArcStep * igloo.cell_size();
+    const float step = kWideStep * igloo.cell_size();
     const size_t rows = size_t(std::min(std::ceil(2 * half_width / step), kMostArcSteps));
     const Vec3 normal = arc.normal, across = cross(arc.axis, normal);
     const float foot = arc.foot;

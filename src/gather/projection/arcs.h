@@ -2,8 +2,8 @@
 // A piece of a fiber as seen from a point. The fiber is the ribbon that rays meet (accel/segment_test-inl.h): the
 // directions within the radius of its axis fill a lune between two half planes through the axis, of half angle
 // asin(radius / distance of the axis), cut off where the ends are seen. With psi the inclination to the plane through
-// the point across the axis, tan psi = s / (p cos phi) at the place s along the axis (from the foot of the perpendicular,
-// of length p) and the angle phi about it, and the solid angle is cos psi dpsi dphi.
+// the point across the axis, tan psi = s / (p cos phi) at the place s along the axis (from the foot of the
+// perpendicular, of length p) and the angle phi about it, and the solid angle is cos psi dpsi dphi.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ namespace tress {
 
 /// Arcs of a PieceList, made ready. Rows belong together by index.
 struct Arcs {
-    AlignedArray<float> ux, uy, uz;        // unit, along the axis
-    AlignedArray<float> nx, ny, nz;        // unit, from the point to the foot of the perpendicular
-    AlignedArray<float> foot, along;       // length of the perpendicular; place of the start along the axis
+    AlignedArray<float> ux, uy, uz;   // unit, along the axis
+    AlignedArray<float> nx, ny, nz;   // unit, from the point to the foot of the perpendicular
+    AlignedArray<float> foot, along;  // length of the perpendicular; place of the start along the axis
     AlignedArray<float> length;
     AlignedArray<float> psi, step, steps;  // inclination of the start; of a step; their number
     AlignedArray<float> width;             // 2 asin(radius / foot), of the mean radius; pi inside the fiber
@@ -24,7 +24,8 @@ struct Arcs {
     AlignedArray<float> taper;             // change of radius along the axis, over the mean radius
 
     explicit Arcs(size_t capacity) {
-        for (auto* row : {&ux, &uy, &uz, &nx, &ny, &nz, &foot, &along, &length, &psi, &step, &steps, &width, &solid, &taper})
+        for (auto* row :
+             {&ux, &uy, &uz, &nx, &ny, &nz, &foot, &along, &length, &psi, &step, &steps, &width, &solid, &taper})
             *row = AlignedArray<float>(capacity);
     }
 };

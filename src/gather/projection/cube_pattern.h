@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Places spread evenly over the cube [-1, 1]^3, in pairs about its middle: any even number of the first ones has its mean
-// there. The first of each pair are of Roberts' additive sequence (2018, "The unreasonable effectiveness of quasirandom
-// sequences"), whose generator is the real root of x^4 = x + 1.
+// Places spread evenly over the cube [-1, 1]^3, in pairs about its middle: any even number of the first ones has its
+// mean there. The first of each pair are of Roberts' additive sequence (2018, "The unreasonable effectiveness of
+// quasirandom sequences"), whose generator is the real root of x^4 = x + 1.
 #pragma once
 
 #include <cstddef>

@@ -16,10 +16,10 @@ struct HairPiece {
 };
 
 struct HairMoments {
-    double area = 0;           // sum of 2 r L
-    DVec3 first{0}, second{0}; // of place, by area: means of x and of x^2 times area
-    double tensor[6] = {};     // sum of 2 r L t t^T: xx, yy, zz, xy, xz, yz
-    uint32_t sample = 0;       // a segment, drawn by area: what kind of hair it is
+    double area = 0;            // sum of 2 r L
+    DVec3 first{0}, second{0};  // of place, by area: means of x and of x^2 times area
+    double tensor[6] = {};      // sum of 2 r L t t^T: xx, yy, zz, xy, xz, yz
+    uint32_t sample = 0;        // a segment, drawn by area: what kind of hair it is
 
     void add(const HairPiece& piece);
     void add(const HairMoments& other);
@@ -45,7 +45,9 @@ void cut_at(const HairPiece& piece, const DVec3& center, const OnPart& on_part) 
         const double t = 0.5 * (at[i] + at[i + 1]);
         const DVec3 middle = a + t * (b - a);
         const int octant = (middle.x >= center.x) | (middle.y >= center.y) << 1 | (middle.z >= center.z) << 2;
-        const auto radius = [&](double s) { return float(glm::mix(double(piece.radius_a), double(piece.radius_b), s)); };
+        const auto radius = [&](double s) {
+            return float(glm::mix(double(piece.radius_a), double(piece.radius_b), s));
+        };
         const bool whole = parts == 1;
         on_part(whole ? piece
                       : HairPiece{Vec3(a + at[i] * (b - a)), Vec3(a + at[i + 1] * (b - a)), radius(at[i]),

@@ -76,8 +76,6 @@ HairOpacity make_hair_opacity(const Attenuation& a) {
     return o;
 }
 
-size_t bytes(const HairOpacity& o) {
-    return o.row.capacity() * sizeof(Rgbx) + o.kind.capacity() * sizeof(uint16_t);
-}
+size_t bytes(const HairOpacity& o) { return o.row.capacity() * sizeof(Rgbx) + o.kind.capacity() * sizeof(uint16_t); }
 
 }  // namespace tress

@@ -17,13 +17,13 @@ enum class Dome { hemisphere, sphere };  // at polygons, at hair
 
 struct Igloo {
     static constexpr uint32_t kFewestCells = 4, kMostCells = 1 << 14;  // a hemisphere
-    static constexpr size_t kPadding = 16;                              // entries of `neighbor` past the last
+    static constexpr size_t kPadding = 16;                             // entries of `neighbor` past the last
 
     uint32_t cells = 0;               // a hemisphere
     std::vector<uint32_t> row_first;  // cells before each row, and one past the last
-    std::vector<int32_t> row_of;      // one for each cell count k: the row of heights (1 - (k + 1) / cells, 1 - k / cells],
-                                      // as first + count * 2^16
-    std::vector<int32_t> neighbor;    // 4 x (2 cells): left, right, nearest above and below, over the sphere
+    std::vector<int32_t> row_of;  // one for each cell count k: the row of heights (1 - (k + 1) / cells, 1 - k / cells],
+                                  // as first + count * 2^16
+    std::vector<int32_t> neighbor;  // 4 x (2 cells): left, right, nearest above and below, over the sphere
 
     uint32_t rows() const { return uint32_t(row_first.size()) - 1; }
     uint32_t cells_of(Dome dome) const { return dome == Dome::sphere ? 2 * cells : cells; }

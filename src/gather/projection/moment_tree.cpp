@@ -114,9 +114,8 @@ private:
     static std::array<std::vector<HairPiece>, 8> divide(const Cube& cube, const std::vector<HairPiece>& pieces) {
         std::array<std::vector<HairPiece>, 8> parts;
         for (const HairPiece& piece : pieces)
-            cut_at(piece, cube.center, [&](const HairPiece& part, int octant) {
-                parts[size_t(octant)].push_back(part);
-            });
+            cut_at(piece, cube.center,
+                   [&](const HairPiece& part, int octant) { parts[size_t(octant)].push_back(part); });
         return parts;
     }
 

@@ -2,8 +2,8 @@
 // Hair by its moments, in an octree of cubes: what a cube's hair looks like from afar without its segments. The
 // projected area of hair of direction t, seen along w, is 2 r L sin(t, w); summed over a cube it is nearly
 // sqrt(m (m - w . M w)), with M = sum of 2 r L t t^T and m its trace: exact where all hair is parallel, and at most 4 %
-// too much where it is isotropic. Leaves hold the pieces themselves, cut at their cube's faces, so that every part of the
-// hair is in one cube.
+// too much where it is isotropic. Leaves hold the pieces themselves, cut at their cube's faces, so that every part of
+// the hair is in one cube.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@ namespace tress {
 struct alignas(32) MomentBlock {
     static constexpr int32_t kNoChild = INT32_MAX;
 
-    float x[8], y[8], z[8];                         // centroid by area, relative to the tree's origin
-    float hx[8], hy[8], hz[8];                      // half sizes of the box that has the spread of the hair
+    float x[8], y[8], z[8];                          // centroid by area, relative to the tree's origin
+    float hx[8], hy[8], hz[8];                       // half sizes of the box that has the spread of the hair
     float xx[8], yy[8], zz[8], xy[8], xz[8], yz[8];  // M
-    int32_t child[8];                               // >= 0: block; < 0: leaf ~child
-    int32_t kind[8];                                // of HairOpacity
+    int32_t child[8];                                // >= 0: block; < 0: leaf ~child
+    int32_t kind[8];                                 // of HairOpacity
 };
 
 /// Pieces of all leaves, one after another. Rows belong together by index; ends are in 2^-16 of the cube of their leaf.
@@ -34,22 +34,23 @@ struct MomentPieces {
 };
 
 struct MomentTree {
-    Vec3 origin{0};                   // center of the root
-    float half_size = 0;              // of the root
+    Vec3 origin{0};       // center of the root
+    float half_size = 0;  // of the root
     float largest_radius = 0;
-    std::vector<MomentBlock> blocks;  // blocks[0]: the children of the root; empty: no hair
-    std::vector<uint32_t> leaf_first; // piece that a leaf starts with; and one past the end
-    std::vector<Vec3> leaf_low;       // low corner of each leaf's cube, relative to origin
-    std::vector<float> leaf_size;     // of its side
+    std::vector<MomentBlock> blocks;   // blocks[0]: the children of the root; empty: no hair
+    std::vector<uint32_t> leaf_first;  // piece that a leaf starts with; and one past the end
+    std::vector<Vec3> leaf_low;        // low corner of each leaf's cube, relative to origin
+    std::vector<float> leaf_size;      // of its side
     MomentPieces pieces;
 };
 
 struct MomentTreeOptions {
-    int leaf_pieces = 16;    // a cube with more is divided
-    float least_size = 0;    // unless its sides are this short
+    int leaf_pieces = 16;  // a cube with more is divided
+    float least_size = 0;  // unless its sides are this short
 };
 
-/// Children of a child that is divided never stop the walk earlier than it does. The same tree for any number of threads.
+/// Children of a child that is divided never stop the walk earlier than it does. The same tree for any number of
+/// threads.
 MomentTree make_moment_tree(const SegmentView& segments, const HairOpacity& opacity, const MomentTreeOptions& options);
 
 size_t bytes(const MomentTree& tree);

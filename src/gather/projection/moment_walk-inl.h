@@ -34,15 +34,16 @@ HWY_INLINE CubeVec cube_inverse_sqrt(CubeVec x) {
 
 /// The eight cubes of a block as seen from a point.
 struct SeenCubes {
-    HWY_ALIGN float x[8], y[8], z[8];   // centroids, relative to the point
-    HWY_ALIGN float solid_angle[8];     // of all hair in it
-    HWY_ALIGN float splats[8];          // that stand for it
+    HWY_ALIGN float x[8], y[8], z[8];  // centroids, relative to the point
+    HWY_ALIGN float solid_angle[8];    // of all hair in it
+    HWY_ALIGN float splats[8];         // that stand for it
     HWY_ALIGN int32_t opacity_row[8];
-    uint32_t taken, opened;             // bits
+    uint32_t taken, opened;  // bits
 };
 
-/// `size`: of a cube's side. `reach`: of a cube that is opened the distance is less.
-HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, float splats_at_reach, SeenCubes& seen) {
+/// Opened are cubes nearer than `reach`, and those that have hair within `own_reach`.
+HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, float own_reach, float splats_at_reach,
+                        SeenCubes& seen) {
     const CubeFloats d;
     const CubeInts di;
     const CubeVec zero = hn::Zero(d), one = hn::Set(d, 1.0f);
@@ -54,9 +55,10 @@ HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, flo
         const CubeVec inverse = cube_inverse_sqrt(squared), inverse_squared = inverse * inverse;
         const CubeVec xx = hn::Load(d, b.xx + i), yy = hn::Load(d, b.yy + i), zz = hn::Load(d, b.zz + i);
         const CubeVec area = xx + yy + zz;
-        const CubeVec mixed = x * y * hn::Load(d, b.xy + i) + x * z * hn::Load(d, b.xz + i) + y * z * hn::Load(d, b.yz + i);
+        const CubeVec mixed =
+            x * y * hn::Load(d, b.xy + i) + x * z * hn::Load(d, b.xz + i) + y * z * hn::Load(d, b.yz + i);
         const CubeVec along = (x * x * xx + y * y * yy + z * z * zz + hn::Set(d, 2.0f) * mixed) * inverse_squared;
-        const CubeVec across = hn::Max(area - along, area * hn::Set(d, 1e-6f));
+        const CubeVec across = hn::Max(area - along, area * hn::Set(d, 1e-10f));
         const CubeVec product = hn::Max(area * across, hn::Set(d, 1e-30f));
         const CubeVec projected = product * cube_inverse_sqrt(product);
         const CubeVec sine = projected / hn::Max(area, hn::Set(d, 1e-30f));
@@ -70,7 +72,11 @@ HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, flo
                   seen.opacity_row + i);
         uint8_t hair[8] = {}, near[8] = {};
         hn::StoreMaskBits(d, area > zero, hair);
-        hn::StoreMaskBits(d, squared < hn::Set(d, reach * reach), near);
+        const CubeVec off_x = hn::Max(hn::Abs(x) - hn::Load(d, b.hx + i), zero),
+                      off_y = hn::Max(hn::Abs(y) - hn::Load(d, b.hy + i), zero),
+                      off_z = hn::Max(hn::Abs(z) - hn::Load(d, b.hz + i), zero);
+        const auto own = off_x * off_x + off_y * off_y + off_z * off_z < hn::Set(d, own_reach * own_reach);
+        hn::StoreMaskBits(d, hn::Or(own, squared < hn::Set(d, reach * reach)), near);
         seen.taken |= uint32_t(hair[0] & ~near[0]) << i;
         seen.opened |= uint32_t(hair[0] & near[0]) << i;
     }
@@ -125,21 +131,24 @@ void project_tree(const ProjectionInput& in, const Viewpoint& from, const Unseen
     const Vec3 at = from.position - tree.origin;
     const float per_size = 1 / (in.opening * in.igloo.cell_size());  // distance at which a cube of size 1 is taken
     const float splats_at_reach = in.sub_splats * in.opening * in.opening;
+    // A point's own fiber is told apart in leaves alone.
+    const float own_reach = unseen.first <= unseen.last ? (kOwnStrandRadii + 1) * tree.largest_radius : 0;
     const Vec3 up = from.frame.z;
     stack[entries++] = {0, tree.half_size};
     SeenCubes seen;
     while (entries > 0) {
         const Entry entry = stack[--entries];
         const MomentBlock& block = tree.blocks[size_t(entry.block)];
-        look_at(block, at, entry.size * per_size, splats_at_reach, seen);
+        look_at(block, at, entry.size * per_size, own_reach, splats_at_reach, seen);
         const auto hidden = [&](size_t o) {  // below the horizon of a polygon, whole
             return from.dome == Dome::hemisphere && dot(up, Vec3(seen.x[o], seen.y[o], seen.z[o])) < -2 * entry.size;
         };
         for (uint32_t bits = seen.taken; bits != 0; bits &= bits - 1) {
             const size_t o = size_t(std::countr_zero(bits));
             if (hidden(o)) continue;
-            if (!scratch.splats.has_room(kMostSubSplats)) add_splats(in.igloo, from, in.opacity, scratch.splats, to);
-            splat_cube(block, seen, o, scratch.splats);
+            if (!scratch.cube_splats.has_room(kMostSubSplats))
+                add_splats<SplatOf::cube>(in.igloo, from, in.opacity, scratch.cube_splats, to);
+            splat_cube(block, seen, o, scratch.cube_splats);
         }
         for (uint32_t bits = seen.opened; bits != 0; bits &= bits - 1) {
             const size_t o = size_t(std::countr_zero(bits));
@@ -153,6 +162,7 @@ void project_tree(const ProjectionInput& in, const Viewpoint& from, const Unseen
     }
     draw_pieces(in.igloo, from, in.opacity, scratch, to);
     add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+    add_splats<SplatOf::cube>(in.igloo, from, in.opacity, scratch.cube_splats, to);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -11,7 +11,7 @@ namespace tress {
 struct PieceList {
     static constexpr size_t kCapacity = 512, kPadding = 16;
 
-    AlignedArray<float> ax, ay, az, bx, by, bz;      // ends, relative to the point
+    AlignedArray<float> ax, ay, az, bx, by, bz;  // ends, relative to the point
     AlignedArray<float> start_radius, end_radius;
     AlignedArray<int32_t> kind;  // of HairOpacity
     size_t size = 0;

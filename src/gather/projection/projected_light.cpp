@@ -64,7 +64,8 @@ void ProjectedLight::operator()(const Scene& scene, const PreparedScene& prepare
                                 std::span<const Sampler> samplers, std::span<Rgb> radiance) {
     Context c{scene, prepared, plan, options, nullptr, 0};
     for (const uint32_t light : plan.environments)
-        if (!prepared.environment[light]->image.pixel.empty()) c.sky = &*prepared.environment[light], c.sky_light = light;
+        if (!prepared.environment[light]->image.pixel.empty())
+            c.sky = &*prepared.environment[light], c.sky_light = light;
     rays_.clear();
     far_.clear();
     sky_rays_.clear();
@@ -147,8 +148,8 @@ void ProjectedLight::send_rays(const Context& c, const ShadingPoint& point, uint
     const float by_open = open > 0 ? kByTransmittance / open : 0;
     float place = -u;
     for (const Candidate& candidate : candidates_) {
-        const float chance = even * luminance(candidate.weight) +
-                             by_open * luminance(candidate.weight * candidate.transmittance);
+        const float chance =
+            even * luminance(candidate.weight) + by_open * luminance(candidate.weight * candidate.transmittance);
         place += count * chance;
         if (!(place > 0)) continue;
         const float rays = std::ceil(place);
@@ -166,8 +167,7 @@ void ProjectedLight::receive(const Context& c, std::span<Rgb> radiance) {
     if (c.prepared.mesh.empty()) return;
     for (auto* floats : {&rays_.t, &rays_.u, &rays_.v}) floats->assign(n, kInfinity);
     rays_.polygon.assign(n, kNone);
-    nearest_triangle(c.prepared.mesh, rays_.rays.for_mesh(), {rays_.t, rays_.polygon, rays_.u, rays_.v},
-                     c.options.isa);
+    nearest_triangle(c.prepared.mesh, rays_.rays.for_mesh(), {rays_.t, rays_.polygon, rays_.u, rays_.v}, c.options.isa);
     short_rays_.clear();
     short_row_.clear();
     for (uint32_t i = 0; i < n; ++i) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Light of Type 2 by projection: hair is projected onto cells about a point, and light is seen through them.
 //
-// Directions are drawn by the scattering at the point, so that lobes narrower than a cell are sampled inside it, and each
-// is weighted with what hair leaves in its cell: no ray through hair. Where there are polygons, a few of the directions,
-// drawn in proportion to what they may bring, go on as rays against polygons alone. A ray that ends on a polygon before it is past
-// all hair cannot use its cell, which holds the hair behind the polygon too: what little lies before is asked of the
-// hair tree. So nothing leaks through polygons, and cells need not know how far away they are.
+// Directions are drawn by the scattering at the point, so that lobes narrower than a cell are sampled inside it, and
+// each is weighted with what hair leaves in its cell: no ray through hair. Where there are polygons, a few of the
+// directions, drawn in proportion to what they may bring, go on as rays against polygons alone. A ray that ends on a
+// polygon before it is past all hair cannot use its cell, which holds the hair behind the polygon too: what little lies
+// before is asked of the hair tree. So nothing leaks through polygons, and cells need not know how far away they are.
 #pragma once
 
 #include <span>
@@ -55,7 +55,8 @@ private:
         uint32_t sky_light;
     };
 
-    void project_point(const Context& c, const ShadingPoint& point, uint32_t row, const Sampler& sampler, Rgb& radiance);
+    void project_point(const Context& c, const ShadingPoint& point, uint32_t row, const Sampler& sampler,
+                       Rgb& radiance);
     void draw_candidates(const Context& c, const ShadingPoint& point, const Viewpoint& from, const Sampler& sampler);
     void add_bright_sky(const Context& c, const ShadingPoint& point, const Viewpoint& from, const Sampler& sampler,
                         uint32_t row, Rgb& radiance);

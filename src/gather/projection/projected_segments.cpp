@@ -32,6 +32,8 @@ ProjectedSegments make_projected_segments(const SegmentView& segments) {
     return p;
 }
 
-size_t bytes(const ProjectedSegments& p) { return 9 * p.x.size() * sizeof(float) + p.original.capacity() * sizeof(uint32_t); }
+size_t bytes(const ProjectedSegments& p) {
+    return 9 * p.x.size() * sizeof(float) + p.original.capacity() * sizeof(uint32_t);
+}
 
 }  // namespace tress

@@ -22,7 +22,8 @@ struct ProjectionInput {
 };
 
 struct ProjectionKernels {
-    /// Adds every segment, those of scratch.chosen, or the tree to the cells of scratch.gray or scratch.color, which are cleared before.
+    /// Adds every segment, those of scratch.chosen, or the tree to the cells of scratch.gray or scratch.color, which
+    /// are cleared before.
     void (*project_segments)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_chosen)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_tree)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);

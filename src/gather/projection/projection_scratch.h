@@ -28,7 +28,7 @@ struct ChosenSegment {
 struct ProjectionScratch {
     std::vector<ChosenSegment> chosen;  // by layers of distance
     ProjectedSegments chosen_rows = make_rows(ProjectedSegments::kStreams);
-    Splats splats, wide_splats;
+    Splats splats, wide_splats, cube_splats;
     PieceList pieces;
     Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
     WidePiece wide;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+#include <tbb/global_control.h>
+
+#include "accel/isa_targets.h"
+#include "core/type_shares.h"
+#include "tests/small_scenes.h"
+#include "tests/tufts.h"
+
+using namespace tress;
+using namespace tress::test;
+
+namespace {
+
+Options type2_by(GatherMethod method, ProjectionDetail detail = ProjectionDetail::tree) {
+    Options options = small_options();
+    options.type1 = LampMethod::off;
+    options.type3 = CrossingMethod::off;
+    options.type2 = method;
+    options.projection.detail = detail;
+    options.projection.cells = 256;
+    options.projection.directions = 16;
+    options.spp = 16;
+    return options;
+}
+
+/// Some hundred fibers before a square, under a sky.
+Scene hair_before_wall(bool wall, const Rgb& sky) {
+    std::vector<Vec2> xz;
+    for (int i = 0; i < 300; ++i) xz.push_back({float(i % 30) * 0.03f - 0.45f, 0.3f + float(i / 30) * 0.05f});
+    const PlacedHair hair = upright_fibers(xz, 0.5f, 0.006f, make_fiber({.sigma_a = Rgb(0.2f, 0.4f, 0.8f)}));
+    std::vector<PlacedMesh> meshes;
+    if (wall) meshes.push_back(square(0.8f, Rgb(0.6f, 0.5f, 0.4f)));
+    return assemble({hair}, meshes, {EnvironmentLight{"", {}, sky, 0}}, camera_on_z(4, 25, 24));
+}
+
+TypeShare type2_of(const Rendered& r) {
+    for (const TypeShare& share : type_shares(r.state.film, ShareOf::picture))
+        if (share.type == PathType::type2) return share;
+    return {};
+}
+
+bool same_pixels(const Rendered& a, const Rendered& b) { return a.layer("type2")->data == b.layer("type2")->data; }
+
+}  // namespace
+
+TEST_CASE("light by projection is light by rays, with polygons and without") {
+    for (const bool wall : {false, true})
+        for (const ProjectionDetail detail : {ProjectionDetail::all, ProjectionDetail::tree}) {
+            CAPTURE(wall);
+            CAPTURE(int(detail));
+            const Scene scene = hair_before_wall(wall, Rgb(1, 0.9f, 0.8f));
+            const TypeShare rays = type2_of(render(scene, type2_by(GatherMethod::ray)));
+            const TypeShare cells = type2_of(render(scene, type2_by(GatherMethod::projection, detail)));
+            const double sigma = std::hypot(rays.mean_error, cells.mean_error);
+            // Three standard errors, and the error of the cells, of which calibration leaves below 1 %.
+            CHECK(std::abs(cells.mean - rays.mean) < 3 * sigma + 0.01 * rays.mean);
+        }
+}
+
+TEST_CASE("pictures by projection do not depend on threads or instruction sets") {
+    const Scene scene = hair_before_wall(true, Rgb(1));
+    Options options = type2_by(GatherMethod::projection);
+    options.spp = 2;
+    const Rendered first = render(scene, options);
+    for (const Isa isa : supported_isas()) {
+        CAPTURE(isa_name(isa));
+        options.isa = isa;
+        CHECK(same_pixels(render(scene, options), first));
+    }
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    CHECK(same_pixels(render(scene, options), first));
+}
+
+TEST_CASE("hair is made ready for projection only where type 2 asks for it") {
+    const Scene scene = hair_before_wall(true, Rgb(1));
+    const auto planned = [&](const Options& options) { return make_plan(scene, options).projection; };
+    CHECK(planned(type2_by(GatherMethod::projection)) == ProjectionDetail::tree);
+    CHECK(planned(type2_by(GatherMethod::projection, ProjectionDetail::automatic)) == ProjectionDetail::all);
+    CHECK_FALSE(planned(type2_by(GatherMethod::ray)));
+    CHECK_FALSE(planned(type2_by(GatherMethod::path)));
+    CHECK_FALSE(planned(type2_by(GatherMethod::off)));
+    Options rays = type2_by(GatherMethod::ray);
+    rays.spp = 1;
+    const Rendered r = render(scene, rays);
+    CHECK(r.prepared.projection.segments.segments == 0);
+    CHECK(r.prepared.projection.tree.blocks.empty());
+}
+
+TEST_CASE("layers and simplified hair keep the light where they are weighted, and lose shadow where not") {
+    const Scene scene = hair_before_wall(false, Rgb(1));
+    const auto light = [&](ProjectionDetail detail, bool weighted) {
+        Options options = type2_by(GatherMethod::projection, detail);
+        options.projection.gap = 0;
+        options.projection.share = 0.5f;
+        options.projection.layer = 0.3f;
+        options.projection.weighted = weighted;
+        return type2_of(render(scene, options)).mean;
+    };
+    const double all = light(ProjectionDetail::all, true);
+    for (const ProjectionDetail detail : {ProjectionDetail::simplified, ProjectionDetail::layers}) {
+        CAPTURE(int(detail));
+        // Half the fibers twice as wide: noise of a few per cent in 300 fibers. Half the shadow is far more.
+        CHECK(light(detail, true) == doctest::Approx(all).epsilon(0.08));
+        CHECK(light(detail, false) > 1.1 * all);
+    }
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include <numbers>
+
+#include "tests/projection_support.h"
+
+using namespace tress;
+using namespace tress::test;
+
+namespace {
+
+constexpr ProjectionDetail kDetails[] = {ProjectionDetail::all, ProjectionDetail::tree};
+constexpr Dome kDomes[] = {Dome::sphere, Dome::hemisphere};
+
+struct PlacedCone {
+    const char* name;
+    Cone cone;
+};
+
+/// About the point (0, 0, 0), whose pole is z and whose azimuths start at x.
+const PlacedCone kThin[] = {{"over the pole", {{-1, 0.02f, 1}, {1, 0.03f, 1.1f}, 0.02f, 0.02f}},
+                            {"across the horizon", {{1, 0.3f, -0.7f}, {1.1f, 0.2f, 0.8f}, 0.02f, 0.02f}},
+                            {"across the seam of azimuth", {{1, -0.6f, 0.3f}, {1, 0.7f, 0.4f}, 0.02f, 0.02f}},
+                            {"longer than 90 degrees", {{-1, 0.1f, 0.5f}, {1.2f, 0.2f, 0.5f}, 0.01f, 0.01f}},
+                            {"longer than 170 degrees", {{-1, 0.02f, 0.03f}, {1, 0.02f, 0.02f}, 0.001f, 0.001f}},
+                            {"nearly through it", {{-1, -0.5f, -0.2f}, {1, 0.502f, 0.2f}, 0.0002f, 0.0002f}},
+                            {"small and far", {{30, 20, -10}, {30.3f, 20.5f, -10}, 0.1f, 0.1f}},
+                            {"tapered", {{1, -0.6f, 0.3f}, {1, 0.7f, 0.4f}, 0.03f, 0.001f}}};
+
+const PlacedCone kWide[] = {{"beside the pole", {{-1, 0.3f, 1}, {1, 0.2f, 0.8f}, 0.3f, 0.3f}},
+                            {"across the horizon", {{1, 0.3f, -0.7f}, {1.1f, 0.2f, 0.8f}, 0.3f, 0.3f}},
+                            {"tapered", {{1, -0.6f, 0.3f}, {1, 0.7f, 0.4f}, 0.3f, 0.02f}},
+                            {"tapered the other way", {{-0.6f, 0.8f, -0.3f}, {0.7f, 0.9f, 0.2f}, 0.02f, 0.3f}}};
+
+/// Half the sphere or nearly so is covered: its rim alone is a tenth of all cells.
+const PlacedCone kAround[] = {{"touching", {{-1, 0.0105f, 0}, {0.7f, 0.0105f, 0.001f}, 0.01f, 0.01f}},
+                              {"inside", {{-1, 0.006f, 0}, {0.7f, 0.002f, 0.001f}, 0.01f, 0.01f}},
+                              {"close to the axis", {{-0.3f, 1e-5f, 0.2f}, {0.3f, 1e-5f, -0.2f}, 0.05f, 0.05f}}};
+
+/// Against the formula: the mean error of a cell, and the error of what is stopped in all, of itself.
+void check_cone(const PlacedCone& placed, ProjectionDetail detail, double most_error, double most_bias) {
+    const ProjectedHair hair = projected(strands_of({placed.cone}), gray_fiber(), detail, without_gap());
+    for (const Dome dome : kDomes) {
+        const Viewpoint from{Vec3(0), kUpright, dome};
+        const std::vector<Rgb> cells = seen(hair, from), truth = expected(hair, from, 32);
+        const double error = mean_difference(cells, truth), stopped = 1 - mean_of(cells), exact = 1 - mean_of(truth);
+        CAPTURE(placed.name);
+        CAPTURE(int(detail));
+        CAPTURE(int(dome));
+        CAPTURE(stopped);
+        CAPTURE(exact);
+        CHECK(all_within_unit(cells));
+        CHECK(error < most_error);
+        CHECK(std::abs(stopped - exact) < most_bias * exact + 1e-5);
+    }
+}
+
+/// Solid angle of the lune between half planes through the axis, cut where the ends are seen: the integral of
+/// s2 / d2 - s1 / d1 over the angle about the axis; 2 asin(r / p) (s2 / d2 - s1 / d1) where it is thin.
+double solid_angle(const Cone& cone, const Vec3& from) {
+    const DVec3 a = DVec3(cone.a) - DVec3(from), axis = DVec3(cone.b) - DVec3(cone.a), u = normalize(axis);
+    const double s1 = dot(a, u), s2 = s1 + length(axis), p = length(a - s1 * u);
+    const double half = std::asin(std::min(double(cone.radius_a) / p, 1.0));
+    constexpr int kSteps = 64;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double foot = p * std::cos(half * ((2 * i + 1.0) / kSteps - 1));
+        sum += s2 / std::hypot(s2, foot) - s1 / std::hypot(s1, foot);
+    }
+    return sum * 2 * half / kSteps;
+}
+
+/// Solid angle of hair of the same small depth everywhere, from the depths of all cells.
+double projected_solid_angle(const ProjectedHair& hair, const Viewpoint& from, double depth) {
+    ProjectionScratch scratch;
+    CellLight light;
+    project(hair.projection, hair.segments(), from, {}, Isa::automatic, scratch, light);
+    double sum = 0;
+    for (size_t cell = 0; cell < light.cells; ++cell) sum += double(scratch.gray.sum(cell));
+    return sum / -std::expm1(-depth) * double(hair.projection.igloo.solid_angle());
+}
+
+/// A segment of length 1 about the origin, and a point 3 radii to 1000 lengths from it, not along its axis.
+std::pair<Cone, Viewpoint> random_sight(uint64_t key) {
+    const float radius = 0.05f * std::exp2(-6 * random(key, 0));
+    const Vec3 half = 0.5f * sample_uniform_sphere({random(key, 1), random(key, 2)});
+    const float distance = 3 * radius * std::pow(1000 / (3 * radius), random(key, 3));
+    const float along = (2 * random(key, 4) - 1) * (0.5f + distance), turn = 2 * kPi * random(key, 5);
+    const Frame about = frame_about(2.0f * half);
+    const Vec3 from = along * about.z + distance * (std::cos(turn) * about.x + std::sin(turn) * about.y);
+    return {{-half, half, radius, radius}, {from, random_frame(hash(key, 6)), Dome::sphere}};
+}
+
+}  // namespace
+
+// Half a step's place in its cell, 0.4 of a cell, is lost at the rim of what a fiber covers. Parts of a thin fiber that
+// share a cell count as if one were behind the other: of two of coverage x, x^2 is lost.
+TEST_CASE("a thin segment stops in each cell what the formula says") {
+    for (const ProjectionDetail detail : kDetails)
+        for (const PlacedCone& placed : kThin) check_cone(placed, detail, 0.01, 0.04);
+}
+
+/// A tree cuts a fiber at the faces of cubes, and the parts count as if one were behind the other in the cells that
+/// they share: of a wide one, some twentieth of what it stops.
+constexpr double kLostAtCuts = 0.06;
+double most_bias_of(ProjectionDetail detail, double otherwise) {
+    return detail == ProjectionDetail::tree ? kLostAtCuts : otherwise;
+}
+
+TEST_CASE("a wide segment stops in each cell what the formula says") {
+    for (const ProjectionDetail detail : kDetails)
+        for (const PlacedCone& placed : kWide) check_cone(placed, detail, 0.01, most_bias_of(detail, 0.03));
+    check_cone({"short", {{1, -0.1f, 0.3f}, {0.9f, 0.15f, 0.4f}, 0.3f, 0.3f}}, ProjectionDetail::all, 0.01, 0.03);
+}
+
+TEST_CASE("a segment about the point or next to it stops in each cell what the formula says") {
+    for (const ProjectionDetail detail : kDetails)
+        for (const PlacedCone& placed : kAround) check_cone(placed, detail, 0.025, most_bias_of(detail, 0.02));
+}
+
+TEST_CASE("a segment exactly through the point stops as much as one whose axis nearly meets the point") {
+    const Vec3 half(0.3f, -0.2f, 0.1f), aside(0.001f, 0.0015f, 0);
+    const Viewpoint from{Vec3(0), kUpright, Dome::sphere};
+    for (const ProjectionDetail detail : kDetails) {
+        CAPTURE(int(detail));
+        const ProjectedHair through =
+            projected(strands_of({{-half, half, 0.05f, 0.05f}}), gray_fiber(), detail, without_gap());
+        const ProjectedHair nearly =
+            projected(strands_of({{aside - half, aside + half, 0.05f, 0.05f}}), gray_fiber(), detail, without_gap());
+        const std::vector<Rgb> cells = seen(through, from);
+        CHECK(all_within_unit(cells));
+        CHECK(mean_of(cells) ==
+              doctest::Approx(mean_of(expected(nearly, from, 32))).epsilon(most_bias_of(detail, 0.02)));
+    }
+}
+
+// Depth x + x^2 / 2 of a depth of a thousandth is linear to a two-thousandth. The tree takes cubes of which a segment's
+// share is at most sqrt(3) / 12.7 of its distance long, as seen from its middle: L^2 / 2 d^2, 0.9 % at worst.
+TEST_CASE("a segment covers its exact solid angle at every distance") {
+    constexpr float kDepth = 1e-3f;
+    const Attenuation faint = even_fiber(Rgb(kDepth));
+    Options options = without_gap();
+    options.projection.opening = 0.5f;
+    for (const ProjectionDetail detail : kDetails)
+        for (uint64_t i = 0; i < 1000; ++i) {
+            const auto [cone, from] = random_sight(hash(31, i));
+            const ProjectedHair hair = projected(strands_of({cone}), faint, detail, options);
+            const double exact = solid_angle(cone, from.position);
+            const double found = projected_solid_angle(hair, from, double(kDepth));
+            CAPTURE(int(detail));
+            CAPTURE(i);
+            CAPTURE(length(from.position));
+            CAPTURE(cone.radius_a);
+            CHECK(std::abs(found - exact) < 0.01 * exact);
+        }
+}
+
+TEST_CASE("a hemisphere is the upper half of the sphere") {
+    for (const ProjectionDetail detail : kDetails) {
+        CAPTURE(int(detail));
+        const ProjectedHair hair = projected(random_hair(500, 0.5f, 0.005f, 3), gray_fiber(), detail, without_gap());
+        const Frame frame = random_frame(4);
+        std::vector<Rgb> sphere = seen(hair, {Vec3(0.1f), frame, Dome::sphere});
+        sphere.resize(sphere.size() / 2);
+        // Depths are added in another order: a few roundings of sums of tens of terms.
+        CHECK(mean_difference(seen(hair, {Vec3(0.1f), frame, Dome::hemisphere}), sphere) < 1e-6);
+    }
+}
+
+// What a mean of depths loses in a cell depends on which hair shares it; so thin is the hair that this is little.
+TEST_CASE("turning the cells about thin hair changes the mean transmittance by less than a thousandth") {
+    for (const ProjectionDetail detail : kDetails)
+        for (const Vec3& position : {Vec3(0), Vec3(0.9f, 0.3f, -0.2f), Vec3(0, 1, 3)}) {
+            const ProjectedHair hair =
+                projected(random_hair(4000, 0.5f, 0.0005f, 5), gray_fiber(), detail, without_gap());
+            double least = 1, most = 0;
+            for (uint64_t turn = 0; turn < 20; ++turn) {
+                const double mean = mean_of(seen(hair, {position, random_frame(hash(6, turn)), Dome::sphere}));
+                least = std::min(least, mean), most = std::max(most, mean);
+            }
+            CAPTURE(int(detail));
+            CAPTURE(position.z);
+            CAPTURE(most);
+            CHECK(most - least < 1e-3);
+        }
+}

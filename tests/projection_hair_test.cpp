@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Which hair is projected, and in which colours.
+#include "tests/projection_support.h"
+
+using namespace tress;
+using namespace tress::test;
+
+namespace {
+
+constexpr ProjectionDetail kDetails[] = {ProjectionDetail::all, ProjectionDetail::tree};
+
+/// One absorption a segment.
+Attenuation colored(const std::vector<Rgb>& sigma_a) {
+    return {{}, {make_absorption_table(make_fiber({}))}, {}, sigma_a};
+}
+
+/// A straight fiber along x from 0 on, cut into segments.
+StrandSet straight_fiber(int segments, float segment, float radius) {
+    StrandSet strands;
+    strands.constant_radius = radius;
+    for (int i = 0; i <= segments; ++i) strands.add_point({segment * float(i), 0, 0});
+    strands.first = {0, uint32_t(strands.points())};
+    return strands;
+}
+
+Unseen own(const SegmentView& hair, uint32_t segment) {
+    const SegmentRange range = own_strand(hair, segment);
+    return {range.first, range.last};
+}
+
+/// Whether a fiber leaves no trace to points on it, on its axis and on its surface.
+void check_unseen(const StrandSet& strands, ProjectionDetail detail, int cells) {
+    Options options = without_gap();
+    options.projection.cells = cells;
+    const ProjectedHair hair = projected(strands, gray_fiber(), detail, options);
+    const SegmentView view = hair.segments();
+    CAPTURE(int(detail));
+    CAPTURE(cells);
+    CAPTURE(view.size());
+    for (uint32_t segment = 0; segment < view.size(); segment += uint32_t(std::max<size_t>(view.size() / 4, 1))) {
+        const Unseen unseen = own(view, segment);
+        REQUIRE((unseen.first == 0 && unseen.last + 1 == view.size()));
+        const Vec3 middle = 0.5f * (view.start(segment) + view.end(segment));
+        for (const Vec3& off : {Vec3(0), Vec3(0, 0, view.start_radius(segment))}) {
+            CAPTURE(segment);
+            CAPTURE(off.z);
+            const std::vector<Rgb> cells_seen = seen(hair, {middle + off, random_frame(segment), Dome::sphere}, unseen);
+            // Cubes farther away than the tree opens hold parts of the fiber, seen along its axis.
+            const double trace = detail == ProjectionDetail::tree ? 1e-4 : 0;
+            CHECK(1 - mean_of(cells_seen) <= trace);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("where there is no hair everything is let through, exactly") {
+    for (const ProjectionDetail detail : kDetails)
+        for (const float gap : {0.0f, 1.0f}) {
+            CAPTURE(int(detail));
+            CAPTURE(gap);
+            Options options;
+            options.projection.gap = gap;
+            const Viewpoint all_round{Vec3(0), random_frame(1), Dome::sphere}, up{Vec3(0), kUpright, Dome::hemisphere};
+            CHECK(all_one(seen(projected({}, gray_fiber(), detail, options), all_round)));
+            CHECK(all_one(seen(projected({}, even_fiber({1, 2, 3}), detail, options), all_round)));
+            StrandSet below = random_hair(300, 0.5f, 0.02f, 2);
+            for (float& z : below.z) z -= 1.3f;  // some next to the point's plane, some far below
+            CHECK(all_one(seen(projected(below, gray_fiber(), detail, options), up)));
+            CHECK(all_one(seen(projected(below, even_fiber({1, 2, 3}), detail, options), up)));
+        }
+}
+
+TEST_CASE("a fiber that is not seen from a point leaves no trace there") {
+    for (const ProjectionDetail detail : kDetails)
+        for (const int cells : {4, 16, 256, 16384}) {
+            check_unseen(straight_fiber(1, 1, 0.02f), detail, cells);
+            check_unseen(straight_fiber(1, 100, 0.001f), detail, cells);
+            check_unseen(straight_fiber(4, 0.08f, 0.02f), detail, cells);
+        }
+}
+
+// More pieces than a leaf keeps, all within 16 radii of each other: cubes are not much larger than the fiber is wide.
+TEST_CASE("a fiber cut into pieces shorter than its radius leaves no trace to itself") {
+    for (const ProjectionDetail detail : kDetails)
+        for (const int cells : {16, 256, 1024}) check_unseen(straight_fiber(60, 0.005f, 0.02f), detail, cells);
+}
+
+TEST_CASE("leaving out one of two fibers leaves what the other alone does") {
+    const Cone first{{-1, 0.01f, 0.02f}, {1, 0.02f, 0.01f}, 0.01f, 0.01f};
+    const Cone second{{0.3f, -1, 0.2f}, {0.2f, 1, 0.3f}, 0.01f, 0.02f};
+    const Viewpoint from{Vec3(0), random_frame(7), Dome::sphere};
+    for (const ProjectionDetail detail : kDetails) {
+        CAPTURE(int(detail));
+        Options options = without_gap();
+        options.projection.opening = 0.1f;  // all pieces are drawn, so that no cube hides which they are
+        const ProjectedHair both = projected(strands_of({first, second}), gray_fiber(), detail, options);
+        const ProjectedHair alone = projected(strands_of({second}), gray_fiber(), detail, options);
+        const std::vector<Rgb> cells = seen(both, from, {0, 0});
+        CHECK(mean_of(cells) < 0.99);
+        // Its pieces are cut elsewhere by another tree: parts of it are placed up to half a step elsewhere.
+        CHECK(mean_difference(cells, seen(alone, from)) < (detail == ProjectionDetail::all ? 1e-6 : 5e-3));
+        CHECK(mean_difference(cells, seen(both, from)) > 1e-3);
+    }
+}
+
+// Steps of a hundred-and-twenty-eighth of what is absorbed, within the error of a gray segment.
+TEST_CASE("fibers of different colours let their own colours through") {
+    const StrandSet two = strands_of(
+        {{{1, -0.6f, 0.3f}, {1, 0.7f, 0.4f}, 0.02f, 0.02f}, {{-1, 0.02f, 1}, {1, 0.03f, 1.1f}, 0.02f, 0.02f}});
+    const Attenuation colors = colored({{0.05f, 0.5f, 5}, {5, 0.5f, 0.05f}});
+    const Viewpoint from{Vec3(0), kUpright, Dome::sphere};
+    for (const ProjectionDetail detail : kDetails) {
+        CAPTURE(int(detail));
+        const ProjectedHair hair = projected(two, colors, detail, without_gap());
+        CHECK(!hair.projection.opacity.gray);
+        const std::vector<Rgb> cells = seen(hair, from), truth = expected(hair, from, 32);
+        CHECK(all_within_unit(cells));
+        double error[3] = {};
+        int reddish = 0, bluish = 0;
+        for (size_t i = 0; i < cells.size(); ++i) {
+            for (int c = 0; c < 3; ++c) error[c] += std::abs(double(cells[i][c] - truth[i][c])) / double(cells.size());
+            reddish += cells[i].x > cells[i].z + 0.02f, bluish += cells[i].z > cells[i].x + 0.02f;
+        }
+        for (const double e : error) CHECK(e < 0.01);
+        CHECK(reddish > 5);
+        CHECK(bluish > 5);
+    }
+}
+
+TEST_CASE("coloured hair whose colours are all gray is projected as gray hair is") {
+    const StrandSet strands = random_hair(500, 0.5f, 0.005f, 8);
+    const Viewpoint from{Vec3(0.2f), random_frame(9), Dome::sphere};
+    const float sigma = 0.25f;  // a whole step: 0.2 of 1, as 25.6 / 128, is none; the nearest is 26 / 128
+    const float step = 26 / 128.0f, nearest = step / (1 - step);
+    REQUIRE(std::abs(nearest - sigma) < 0.01f);
+    for (const ProjectionDetail detail : kDetails) {
+        const ProjectedHair hair =
+            projected(strands, colored(std::vector<Rgb>(strands.strands(), Rgb(sigma))), detail, without_gap());
+        CHECK(hair.projection.opacity.gray);
+        Attenuation gray{{make_attenuation_table(fiber_with(Rgb(nearest)))}, {}, {}, {}};
+        // Tables of 128 and 256 rows, linear between them.
+        CHECK(mean_difference(seen(hair, from), seen(projected(strands, gray, detail, without_gap()), from)) < 1e-3);
+    }
+}
+
+TEST_CASE("three channels of hair that is nearly gray say what the one of gray hair does") {
+    const StrandSet strands = random_hair(500, 0.5f, 0.005f, 10);
+    const Viewpoint from{Vec3(0.2f), random_frame(11), Dome::sphere};
+    for (const ProjectionDetail detail : kDetails) {
+        const std::vector<Rgb> gray = seen(projected(strands, even_fiber(Rgb(1)), detail, without_gap()), from);
+        const std::vector<Rgb> color =
+            seen(projected(strands, even_fiber({1, 1.0001f, 1}), detail, without_gap()), from);
+        double worst = 0;
+        for (size_t i = 0; i < gray.size(); ++i) worst = std::max(worst, std::abs(double(gray[i].x - color[i].x)));
+        CHECK(worst < 1e-5);  // the same sums in another order
+    }
+}
