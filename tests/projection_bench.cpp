@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Projection against rays at points that the eye sees: error of irradiance, time, bytes.
-//     projection_bench [SCENE] [--points N] [--rays N] [--on hair|polygons] [--segments N] [--set "key=value ..."]...
+//     projection_bench [SCENE] [--points N] [--rays N] [--on hair|polygons] [--segments N] [--groom NAME] [--eumelanin
+//     X] [--set "key=value ..."]...
 // One row for every --set. E is the mean over the sphere (at polygons: the hemisphere) of transmittance of hair times
 // the light of a sky: E0 uniform, E1 4 max(0, cos), E2 max(0, cos)^64, a lobe of 10 degrees. Errors are relative to
 // the mean E of all points: root of mean square, and signed mean. Truth: rays, N stratified ones a point. Times: one
@@ -19,7 +20,7 @@
 #include "core/error.h"
 #include "core/rng.h"
 #include "gather/camera_points.h"
-#include "gather/projection/hair_projection.h"
+#include "gather/projection/calibrate_gap.h"
 #include "gather/projection/viewpoints.h"
 #include "io/load_scene.h"
 #include "io/scene_file.h"
@@ -35,6 +36,8 @@ struct Arguments {
     std::vector<std::string> rows;
     int points = 200, rays = 16384;
     uint64_t segments = 0;
+    float eumelanin = -1;  // below 0: the scene's own fibers
+    std::string groom;     // in place of the scene's
     bool on_hair = true;
 };
 
@@ -44,6 +47,8 @@ Arguments read_arguments(int count, char** values) {
         if (name == "--points") a.points = std::max(std::atoi(value.c_str()), 1);
         if (name == "--rays") a.rays = std::max(std::atoi(value.c_str()), 64);
         if (name == "--segments") a.segments = uint64_t(std::atoll(value.c_str()));
+        if (name == "--eumelanin") a.eumelanin = float(std::atof(value.c_str()));
+        if (name == "--groom") a.groom = value;
         if (name == "--on") a.on_hair = value == "hair";
         if (name == "--set") a.rows.push_back(value);
     });
@@ -132,8 +137,7 @@ void print_errors(const std::vector<Irradiance>& test, const std::vector<Irradia
     }
 }
 
-void measure(const Scene& scene, Options options, const std::string& row, const PreparedScene& prepared,
-             const Truth& truth) {
+void measure(const Scene& scene, Options options, const std::string& row, PreparedScene& prepared, const Truth& truth) {
     std::istringstream words(row);
     for (std::string word; words >> word;) {
         const size_t equals = word.find('=');
@@ -142,8 +146,10 @@ void measure(const Scene& scene, Options options, const std::string& row, const 
     const double start = seconds();
     ProjectionDetail detail = options.projection.detail;
     if (detail == ProjectionDetail::automatic) detail = ProjectionDetail::tree;
-    const HairProjection projection = make_hair_projection(prepared.segments, prepared.attenuation, detail, options);
+    HairProjection& projection = prepared.projection;
+    projection = make_hair_projection(prepared.segments, prepared.attenuation, detail, options);
     const double built = seconds();
+    if (options.projection.gap < 0) calibrate_gap(scene, prepared, options);
     ProjectionScratch scratch;
     CellLight light;
     const size_t n = truth.points.size();
@@ -157,30 +163,31 @@ void measure(const Scene& scene, Options options, const std::string& row, const 
         found.push_back(by_cells(projection.igloo, truth.from[i], light));
     }
     const double sum = std::accumulate(times.begin(), times.end(), 0.0);
-    std::printf("%-60s build %5.2f s %7.1f MB  %9.1f us a point", row.c_str(), built - start,
-                double(bytes(projection)) / 1e6, 1e6 * sum / double(n));
+    std::printf("%-60s build %5.2f s %7.1f MB  gap %.2f %9.1f us a point", row.c_str(), built - start,
+                double(bytes(projection)) / 1e6, double(projection.options.gap), 1e6 * sum / double(n));
     if (detail == ProjectionDetail::all)
         std::printf(" (%.2f ns a segment)", 1e9 * sum / double(n) / double(prepared.segments.size()));
     print_errors(found, truth.e);
     std::printf("\n");
     std::fflush(stdout);
-    (void)scene;
 }
 
 void run(const Arguments& arguments) {
     SceneDescription description = arguments.scene.empty() ? builtin_scene() : read_scene_file(arguments.scene);
     description.camera.width = description.camera.height = 128;
-    if (arguments.segments)
-        for (HairDescription& hair : description.hair) hair.segments = arguments.segments;
+    for (HairDescription& hair : description.hair) {
+        if (arguments.segments) hair.segments = arguments.segments;
+        if (!arguments.groom.empty()) hair.groom = arguments.groom;
+        if (arguments.eumelanin >= 0) hair.fiber.absorption = Melanin{arguments.eumelanin, 0};
+    }
     Options& o = description.options;
     o.type1 = LampMethod::ray;
     o.type2 = GatherMethod::ray;
     const LoadedScene loaded = load_scene(description);
-    const Plan plan = make_plan(loaded.scene, o);
     Options no_photons = o;
     no_photons.photons.count = 0;
     no_photons.type3 = CrossingMethod::off;
-    const PreparedScene prepared = prepare(loaded.scene, make_plan(loaded.scene, no_photons), o);
+    PreparedScene prepared = prepare(loaded.scene, make_plan(loaded.scene, no_photons), o);
     Truth truth;
     truth.points = seen_points(loaded.scene, prepared, o, arguments.on_hair, size_t(arguments.points));
     const size_t n = truth.points.size();
