@@ -18,6 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
+/// Of its distance, the size of a cube that is taken whole, however large the cells: next to larger ones, and within
+/// them, light changes where no hair does, and cubes show in the picture.
+inline constexpr float kWidestCube = 0.8f;
+
 using CubeFloats = hn::CappedTag<float, 8>;
 using CubeInts = hn::RebindToSigned<CubeFloats>;
 using CubeVec = hn::Vec<CubeFloats>;
@@ -129,8 +133,9 @@ void project_tree(const ProjectionInput& in, const Viewpoint& from, const Unseen
     const MomentTree& tree = in.tree;
     if (tree.blocks.empty()) return;
     const Vec3 at = from.position - tree.origin;
-    const float per_size = 1 / (in.opening * in.igloo.cell_size());  // distance at which a cube of size 1 is taken
-    const float splats_at_reach = in.sub_splats * in.opening * in.opening;
+    const float widest = std::min(in.opening * in.igloo.cell_size(), kWidestCube);
+    const float per_size = 1 / widest;  // distance at which a cube of size 1 is taken
+    const float splats_at_reach = in.sub_splats * square(widest / in.igloo.cell_size());
     // A point's own fiber is told apart in leaves alone.
     const float own_reach = unseen.first <= unseen.last ? (kOwnStrandRadii + 1) * tree.largest_radius : 0;
     const Vec3 up = from.frame.z;
