@@ -2,10 +2,13 @@
 // What programs that measure share.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <sstream>
 #include <string>
 
 #include "core/error.h"
+#include "core/options.h"
 
 namespace tress::test {
 
@@ -28,6 +31,15 @@ std::string read_flags(int count, char** values, const Set& set) {
         set(name, std::string(values[++i]));
     }
     return scene;
+}
+
+/// Sets "key=value key=value ...".
+inline void set_options(Options& options, const std::string& settings) {
+    std::istringstream words(settings);
+    for (std::string word; words >> word;) {
+        const size_t equals = word.find('=');
+        set_option(options, "--set", word.substr(0, equals), word.substr(std::min(equals, word.size() - 1) + 1));
+    }
 }
 
 }  // namespace tress::test

@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
-#include <sstream>
 #include <string>
 
 #include "core/builtin_scene.h"
@@ -138,11 +137,7 @@ void print_errors(const std::vector<Irradiance>& test, const std::vector<Irradia
 }
 
 void measure(const Scene& scene, Options options, const std::string& row, PreparedScene& prepared, const Truth& truth) {
-    std::istringstream words(row);
-    for (std::string word; words >> word;) {
-        const size_t equals = word.find('=');
-        set_option(options, "--set", word.substr(0, equals), word.substr(std::min(equals, word.size() - 1) + 1));
-    }
+    set_options(options, row);
     const double start = seconds();
     ProjectionDetail detail = options.projection.detail;
     if (detail == ProjectionDetail::automatic) detail = ProjectionDetail::tree;

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <sstream>
 #include <string>
 
 #include "core/builtin_scene.h"
@@ -123,11 +122,7 @@ std::vector<ShadingPoint> hair_points(const Scene& scene, const PreparedScene& p
 }
 
 void measure(const Scene& scene, Options options, const std::string& row, const Arguments& arguments) {
-    std::istringstream words(row);
-    for (std::string word; words >> word;) {
-        const size_t equals = word.find('=');
-        set_option(options, "--set", word.substr(0, equals), word.substr(std::min(equals, word.size() - 1) + 1));
-    }
+    set_options(options, row);
     const Plan plan = make_plan(scene, options);
     const PreparedScene prepared = prepare(scene, plan, options);
     const std::vector<ShadingPoint> points = hair_points(scene, prepared, options, size_t(arguments.points));
