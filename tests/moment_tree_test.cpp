@@ -47,8 +47,11 @@ MomentTree tree_of(const StrandSet& strands, int leaf_pieces = 4) {
 }
 
 bool same(const MomentTree& a, const MomentTree& b) {
+    const MomentPieces &p = a.pieces, &q = b.pieces;
     return a.blocks.size() == b.blocks.size() && a.leaf_first == b.leaf_first && a.leaf_low == b.leaf_low &&
-           a.pieces.segment == b.pieces.segment && a.pieces.ax == b.pieces.ax &&
+           a.leaf_size == b.leaf_size && p.segment == q.segment && p.ax == q.ax && p.ay == q.ay && p.az == q.az &&
+           p.bx == q.bx && p.by == q.by && p.bz == q.bz && p.start_radius == q.start_radius &&
+           p.end_radius == q.end_radius &&
            std::memcmp(a.blocks.data(), b.blocks.data(), a.blocks.size() * sizeof(MomentBlock)) == 0;
 }
 

@@ -92,8 +92,8 @@ std::pair<Cone, Viewpoint> random_sight(uint64_t key) {
 
 }  // namespace
 
-// Half a step's place in its cell, 0.4 of a cell, is lost at the rim of what a fiber covers. Parts of a thin fiber that
-// share a cell count as if one were behind the other: of two of coverage x, x^2 is lost.
+// Half a step's place in its cell, a quarter of a cell, is lost at the rim of what a fiber covers. Parts of a thin
+// fiber that share a cell count as if one were behind the other: of two of coverage x, x^2 is lost.
 TEST_CASE("a thin segment stops in each cell what the formula says") {
     for (const ProjectionDetail detail : kDetails)
         for (const PlacedCone& placed : kThin) check_cone(placed, detail, 0.01, 0.04);
@@ -133,7 +133,7 @@ TEST_CASE("a segment exactly through the point stops as much as one whose axis n
     }
 }
 
-// Depth x + x^2 / 2 of a depth of a thousandth is linear to a two-thousandth. The tree takes cubes of which a segment's
+// Depth x + x^2 of a depth of a thousandth is linear to a thousandth. The tree takes cubes of which a segment's
 // share is at most sqrt(3) / 12.7 of its distance long, as seen from its middle: L^2 / 2 d^2, 0.9 % at worst.
 TEST_CASE("a segment covers its exact solid angle at every distance") {
     constexpr float kDepth = 1e-3f;
