@@ -13,7 +13,7 @@ std::string counted(size_t n, const char* what) { return std::to_string(n) + " "
 
 /// What the scene holds and the options ask for, in the words of the rules below.
 struct Wanted {
-    TypeSet by_ray{}, by_photons{}, by_path{};
+    TypeSet by_ray{}, by_photons{}, by_path{};  // by_ray: by any method that goes light by light, maps and cells too
 
     bool on(PathType type) const {
         const int t = index_of(type);
@@ -227,8 +227,8 @@ private:
 
     /// Empty: type 2 is by projection.
     std::string why_no_projection() const {
-        if (!by(wanted_.by_ray, PathType::type2)) return "type 2 is not by projection";
-        if (options_.type2 == GatherMethod::ray) return "type 2 is by rays";
+        if (options_.type2 != GatherMethod::projection) return "type 2 is not by projection";
+        if (!plan_.types[index_of(PathType::type2)]) return why_dark(PathType::type2);
         if (!plan_.hair_tree) return "no hair";
         if (!plan_.sky && !plan_.polygon_gather) return "no light of type 2 comes through the hair";
         return "";

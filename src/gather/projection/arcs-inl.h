@@ -19,7 +19,7 @@ namespace tress {
 namespace HWY_NAMESPACE {
 
 inline constexpr float kArcStep = 0.5f;      // of a cell's size, along an arc
-inline constexpr float kWideStep = 0.25f;    // along and across wide pieces, whose rims show
+inline constexpr float kWideStep = 0.2f;     // along and across wide pieces, whose rims show
 inline constexpr float kWideShare = 0.45f;   // of a cell's size: wider pieces are cut across too
 inline constexpr float kMostArcSteps = 512;  // in half a turn, however small the cells
 
@@ -70,18 +70,6 @@ inline void make_arcs(const PieceList& p, float cell_size, Arcs& arcs) {
     }
 }
 
-/// One arc to be drawn: steps i of inclination psi + (i + 1/2) step, in the half plane of `normal` about `axis`.
-struct ArcRow {
-    Vec3 axis, normal;
-    float foot, along, length;  // of the half plane: foot is p cos(phi)
-    float psi, step;
-    size_t steps;
-    float width, solid;      // as in Arcs
-    float radius, taper;     // mean; change along the axis, over the mean
-    float least_radius = 0;  // steps whose radius is smaller are not covered; 0: steps are as wide as their radius says
-    int32_t first_opacity_row;
-};
-
 /// Appends the steps of an arc; there must be room for them.
 HWY_INLINE void draw_arc(const ArcRow& arc, Splats& to) {
     const Floats d;
@@ -120,12 +108,13 @@ inline ArcRow arc_of(const PieceList& pieces, const Arcs& arcs, size_t i) {
     row.width = arcs.width[i], row.solid = arcs.solid[i], row.taper = arcs.taper[i];
     row.radius = 0.5f * (pieces.start_radius[i] + pieces.end_radius[i]);
     row.first_opacity_row = pieces.kind[i] * kOpacityRows;
+    row.segment = pieces.segment[i];
     return row;
 }
 
-/// Adds what the splats absorb to the sums of one piece, and empties them.
+/// Adds what the splats absorb to the sums of one fiber, and empties them.
 inline void absorb(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, Splats& splats,
-                   WidePiece& to) {
+                   WideFiber& to) {
     find_cells(igloo, from, splats);
     for (size_t i = 0; i < splats.size; ++i) {
         const float coverage = splats.coverage[i];
@@ -147,19 +136,25 @@ inline void add_absorbed(Rgbx& cell, const Rgbx& share) {
     for (int c = 0; c < 3; ++c) cell.c[c] += std::min(-std::log1p(-std::min(share.c[c], 1.0f)), kOpaqueDepth);
 }
 
-/// A piece that is wide in a cell: rows of arcs side by side across it, each cut where the piece's ends are seen there.
+/// What one fiber absorbs in each cell becomes depth.
 template <class Depth>
-void draw_wide(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ArcRow arc,
-               ProjectionScratch& scratch, CellDepths<Depth>& to) {
+void add_fiber(WideFiber& fiber, CellDepths<Depth>& to) {
+    for (const uint32_t cell : fiber.touched) {
+        add_absorbed(to.depth[cell], fiber.absorbed[cell]);
+        fiber.absorbed[cell] = {};
+    }
+    fiber.touched.clear();
+}
+
+/// A piece that is wide in a cell: rows of arcs side by side across it, each cut where the piece's ends are seen there.
+inline void draw_wide(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ArcRow arc, Splats& splats,
+                      WideFiber& wide) {
     const float largest = arc.radius * (1 + 0.5f * std::abs(arc.taper) * arc.length);
     const float half_width = std::asin(std::min(largest / arc.foot, 1.0f));
     const float step = kWideStep * igloo.cell_size();
     const size_t rows = size_t(std::min(std::ceil(2 * half_width / step), kMostArcSteps));
     const Vec3 normal = arc.normal, across = cross(arc.axis, normal);
     const float foot = arc.foot;
-    Splats& splats = scratch.wide_splats;
-    WidePiece& wide = scratch.wide;
-    wide.absorbed.resize(2 * size_t(igloo.cells));
     arc.width = 2 * half_width / float(rows);
     for (size_t j = 0; j < rows; ++j) {
         const float phi = -half_width + (float(j) + 0.5f) * arc.width;
@@ -175,14 +170,9 @@ void draw_wide(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opa
         draw_arc(arc, splats);
     }
     absorb(igloo, from, opacity, splats, wide);
-    for (const uint32_t cell : wide.touched) {
-        add_absorbed(to.depth[cell], wide.absorbed[cell]);
-        wide.absorbed[cell] = {};
-    }
-    wide.touched.clear();
 }
 
-/// Draws scratch.pieces and empties the list.
+/// Draws scratch.pieces and empties the list; wide ones are kept for finish_pieces.
 template <class Depth>
 void draw_pieces(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ProjectionScratch& scratch,
                  CellDepths<Depth>& to) {
@@ -192,13 +182,29 @@ void draw_pieces(const Igloo& igloo, const Viewpoint& from, const HairOpacity& o
     for (size_t i = 0; i < pieces.size; ++i) {
         const ArcRow arc = arc_of(pieces, scratch.arcs, i);
         if (arc.width > kWideShare * cell_size) {
-            draw_wide(igloo, from, opacity, arc, scratch, to);
+            scratch.wide_arcs.push_back(arc);
             continue;
         }
         if (!scratch.splats.has_room(arc.steps)) add_splats(igloo, from, opacity, scratch.splats, to);
         draw_arc(arc, scratch.splats);
     }
     pieces.size = 0;
+}
+
+/// Draws what is left of a point's pieces. Wide ones come segment by segment, whichever cubes a tree has cut them into.
+template <class Depth>
+void finish_pieces(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ProjectionScratch& scratch,
+                   CellDepths<Depth>& to) {
+    draw_pieces(igloo, from, opacity, scratch, to);
+    add_splats(igloo, from, opacity, scratch.splats, to);
+    std::vector<ArcRow>& arcs = scratch.wide_arcs;
+    std::stable_sort(arcs.begin(), arcs.end(), [](const ArcRow& a, const ArcRow& b) { return a.segment < b.segment; });
+    scratch.wide.absorbed.resize(2 * size_t(igloo.cells));
+    for (size_t i = 0; i < arcs.size(); ++i) {
+        draw_wide(igloo, from, opacity, arcs[i], scratch.wide_splats, scratch.wide);
+        if (i + 1 == arcs.size() || arcs[i + 1].segment != arcs[i].segment) add_fiber(scratch.wide, to);
+    }
+    arcs.clear();
 }
 
 }  // namespace HWY_NAMESPACE

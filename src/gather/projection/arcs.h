@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "core/aligned_array.h"
+#include "core/math.h"
 
 namespace tress {
 
@@ -28,6 +29,19 @@ struct Arcs {
              {&ux, &uy, &uz, &nx, &ny, &nz, &foot, &along, &length, &psi, &step, &steps, &width, &solid, &taper})
             *row = AlignedArray<float>(capacity);
     }
+};
+
+/// One arc to be drawn: steps i of inclination psi + (i + 1/2) step, in the half plane of `normal` about `axis`.
+struct ArcRow {
+    Vec3 axis, normal;
+    float foot, along, length;  // of the half plane: foot is p cos(phi)
+    float psi, step;
+    size_t steps;
+    float width, solid;      // as in Arcs
+    float radius, taper;     // mean; change along the axis, over the mean
+    float least_radius = 0;  // steps whose radius is smaller are not covered; 0: steps are as wide as their radius says
+    int32_t first_opacity_row;
+    uint32_t segment;  // that the arc is a part of
 };
 
 }  // namespace tress

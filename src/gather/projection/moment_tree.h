@@ -49,7 +49,7 @@ struct MomentTreeOptions {
     float least_size = 0;  // unless its sides are this short
 };
 
-/// Children of a child that is divided never stop the walk earlier than it does. The same tree for any number of
+/// The same tree for any number of
 /// threads.
 MomentTree make_moment_tree(const SegmentView& segments, const HairOpacity& opacity, const MomentTreeOptions& options);
 

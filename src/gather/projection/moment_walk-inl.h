@@ -26,16 +26,6 @@ using CubeFloats = hn::CappedTag<float, 8>;
 using CubeInts = hn::RebindToSigned<CubeFloats>;
 using CubeVec = hn::Vec<CubeFloats>;
 
-HWY_INLINE CubeVec cube_inverse_sqrt(CubeVec x) {
-    const CubeInts di;
-    const CubeFloats d;
-    CubeVec y = hn::BitCast(d, hn::Set(di, 0x5f375a86) - hn::ShiftRight<1>(hn::BitCast(di, x)));
-    const CubeVec half = hn::Set(d, 0.5f) * x, three_halves = hn::Set(d, 1.5f);
-    y = y * (three_halves - half * y * y);
-    y = y * (three_halves - half * y * y);
-    return y;
-}
-
 /// The eight cubes of a block as seen from a point.
 struct SeenCubes {
     HWY_ALIGN float x[8], y[8], z[8];  // centroids, relative to the point
@@ -56,7 +46,7 @@ HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, flo
         const CubeVec x = hn::Load(d, b.x + i) - hn::Set(d, from.x), y = hn::Load(d, b.y + i) - hn::Set(d, from.y),
                       z = hn::Load(d, b.z + i) - hn::Set(d, from.z);
         const CubeVec squared = hn::Max(x * x + y * y + z * z, hn::Set(d, 1e-30f));
-        const CubeVec inverse = cube_inverse_sqrt(squared), inverse_squared = inverse * inverse;
+        const CubeVec inverse = inverse_sqrt(d, squared), inverse_squared = inverse * inverse;
         const CubeVec xx = hn::Load(d, b.xx + i), yy = hn::Load(d, b.yy + i), zz = hn::Load(d, b.zz + i);
         const CubeVec area = xx + yy + zz;
         const CubeVec mixed =
@@ -64,7 +54,7 @@ HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, flo
         const CubeVec along = (x * x * xx + y * y * yy + z * z * zz + hn::Set(d, 2.0f) * mixed) * inverse_squared;
         const CubeVec across = hn::Max(area - along, area * hn::Set(d, 1e-10f));
         const CubeVec product = hn::Max(area * across, hn::Set(d, 1e-30f));
-        const CubeVec projected = product * cube_inverse_sqrt(product);
+        const CubeVec projected = product * inverse_sqrt(d, product);
         const CubeVec sine = projected / hn::Max(area, hn::Set(d, 1e-30f));
         hn::Store(x, d, seen.x + i), hn::Store(y, d, seen.y + i), hn::Store(z, d, seen.z + i);
         hn::Store(projected * inverse_squared, d, seen.solid_angle + i);
@@ -117,7 +107,7 @@ void draw_leaf(const ProjectionInput& in, const Viewpoint& from, const Unseen& u
         if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
         scratch.pieces.add(low + scale * Vec3(p.ax[i], p.ay[i], p.az[i]), low + scale * Vec3(p.bx[i], p.by[i], p.bz[i]),
                            radius * float(p.start_radius[i]), radius * float(p.end_radius[i]),
-                           in.opacity.kind_of(p.segment[i]));
+                           in.opacity.kind_of(p.segment[i]), p.segment[i]);
     }
 }
 
@@ -165,8 +155,7 @@ void project_tree(const ProjectionInput& in, const Viewpoint& from, const Unseen
                 draw_leaf(in, from, unseen, size_t(~child), scratch, to);
         }
     }
-    draw_pieces(in.igloo, from, in.opacity, scratch, to);
-    add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+    finish_pieces(in.igloo, from, in.opacity, scratch, to);
     add_splats<SplatOf::cube>(in.igloo, from, in.opacity, scratch.cube_splats, to);
 }
 

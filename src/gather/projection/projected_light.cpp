@@ -17,9 +17,6 @@ constexpr uint32_t kScatteringDimension = 0, kSkyDimension = kSobolGroup, kChoic
 /// cells are dark because of hair behind a polygon.
 constexpr float kByTransmittance = 0.8f;
 
-/// Bright directions of the sky, a direction drawn by scattering.
-constexpr float kSkyShare = 0.5f;
-
 /// Where a ray is inside a box: [enter, exit]; empty where it misses.
 struct Passage {
     float enter = kInfinity, exit = -kInfinity;
@@ -62,10 +59,9 @@ void ProjectedRays::clear() {
 void ProjectedLight::operator()(const Scene& scene, const PreparedScene& prepared, const Plan& plan,
                                 const Options& options, std::span<const ShadingPoint> points,
                                 std::span<const Sampler> samplers, std::span<Rgb> radiance) {
-    Context c{scene, prepared, plan, options, nullptr, 0};
+    Context c{scene, prepared, plan, options, nullptr};
     for (const uint32_t light : plan.environments)
-        if (!prepared.environment[light]->image.pixel.empty())
-            c.sky = &*prepared.environment[light], c.sky_light = light;
+        if (!prepared.environment[light]->image.empty()) c.sky = &*prepared.environment[light];
     rays_.clear();
     far_.clear();
     sky_rays_.clear();
@@ -96,6 +92,7 @@ void ProjectedLight::project_point(const Context& c, const ShadingPoint& point, 
 void ProjectedLight::draw_candidates(const Context& c, const ShadingPoint& point, const Viewpoint& from,
                                      const Sampler& sampler) {
     const uint32_t count = uint32_t(c.options.projection.directions);
+    const float bright_share = float(c.bright_directions()) / float(count);
     candidates_.clear();
     for (uint32_t j = 0; j < count; ++j) {
         const Sampler own{sampler.key, sampler.index * count + j};
@@ -105,14 +102,14 @@ void ProjectedLight::draw_candidates(const Context& c, const ShadingPoint& point
         if (!is_finite(weight) || !(max_component(weight) > 0)) continue;
         const uint32_t cell = cell_of(c.prepared.projection.igloo, from.frame.to_local(drawn.direction));
         if (cell >= cells_.cells) continue;  // below a polygon's horizon, by rounding
-        const float by_sky = c.sky ? kSkyShare * pdf_environment(*c.sky, drawn.direction) : 0;
+        const float by_sky = c.sky ? bright_share * pdf_environment(*c.sky, drawn.direction) : 0;
         candidates_.push_back({drawn.direction, weight, cells_.transmittance(cell), pdf / (pdf + by_sky)});
     }
 }
 
 void ProjectedLight::add_bright_sky(const Context& c, const ShadingPoint& point, const Viewpoint& from,
                                     const Sampler& sampler, uint32_t row, Rgb& radiance) {
-    const uint32_t count = std::max(uint32_t(kSkyShare * float(c.options.projection.directions)), 1u);
+    const uint32_t count = c.bright_directions();
     const float drawn_by_scattering = float(c.options.projection.directions);
     for (uint32_t j = 0; j < count; ++j) {
         const Sampler own{sampler.key, sampler.index * count + j};

@@ -52,7 +52,9 @@ private:
         const Plan& plan;
         const Options& options;
         const EnvironmentSampler* sky;  // the one that is sampled by brightness; null: none has a picture
-        uint32_t sky_light;
+
+        /// Of the sky, a point.
+        uint32_t bright_directions() const { return sky ? uint32_t(options.projection.directions + 1) / 2 : 0; }
     };
 
     void project_point(const Context& c, const ShadingPoint& point, uint32_t row, const Sampler& sampler,

@@ -8,8 +8,8 @@
 // foreach_target.h compiles what follows it once a target, and must stand first.
 // clang-format off
 #include "hwy/foreach_target.h"
+#include "gather/projection/all_segments-inl.h"
 #include "gather/projection/cell_light-inl.h"
-#include "gather/projection/far_segments-inl.h"
 #include "gather/projection/moment_walk-inl.h"
 #include "hwy/highway.h"
 // clang-format on

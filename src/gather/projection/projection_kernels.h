@@ -16,9 +16,9 @@ struct ProjectionInput {
     const HairOpacity& opacity;
     const ProjectedSegments& segments;  // empty where the tree is walked
     const MomentTree& tree;             // empty where segments are projected
-    float opening = 2;                  // cubes larger than this many cells are opened
-    float sub_splats = 2;               // splats of a cube as large as a cell
-    float gap = 0;                      // share of the gaps between neighbours that is added (CellLight)
+    float opening;                      // cubes larger than this many cells are opened
+    float sub_splats;                   // splats of a cube as large as a cell
+    float gap;                          // share of the gaps between neighbours that is added (CellLight)
 };
 
 struct ProjectionKernels {

@@ -12,9 +12,9 @@
 
 namespace tress {
 
-/// Optical depths that one wide piece adds to the cells that it covers, before they are turned into depths: parts of
-/// one fiber cover a cell side by side, not one behind another.
-struct WidePiece {
+/// What one wide fiber absorbs in the cells that it covers, before that is turned into depth: its parts cover a cell
+/// side by side, not one behind another.
+struct WideFiber {
     std::vector<Rgbx> absorbed;     // share of each cell's light, one a cell of the sphere; 0 outside the list
     std::vector<uint32_t> touched;  // cells
 };
@@ -31,7 +31,8 @@ struct ProjectionScratch {
     Splats splats, wide_splats, cube_splats;
     PieceList pieces;
     Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
-    WidePiece wide;
+    std::vector<ArcRow> wide_arcs;  // of the point, in the order of the pieces
+    WideFiber wide;
     CellDepths<float> gray;
     CellDepths<Rgbx> color;
 };

@@ -38,15 +38,16 @@ HWY_INLINE FloatVec polynomial(const float (&c)[kTerms], FloatVec x) {
 
 /// 1 / sqrt(x) for normal positive x, within 5e-6 of itself: an estimate from the bits of x (Blinn 1997) and two of
 /// Newton's steps. Finite, but meaningless, for 0.
-HWY_INLINE FloatVec inverse_sqrt(FloatVec x) {
-    const Ints di;
-    const IntVec bits = hn::BitCast(di, x);
-    FloatVec y = hn::BitCast(Floats(), hn::Set(di, 0x5f375a86) - hn::ShiftRight<1>(bits));
-    const FloatVec half = set(0.5f) * x;
-    y = y * (set(1.5f) - half * y * y);
-    y = y * (set(1.5f) - half * y * y);
+template <class D>
+HWY_INLINE hn::Vec<D> inverse_sqrt(D d, hn::Vec<D> x) {
+    const hn::RebindToSigned<D> di;
+    hn::Vec<D> y = hn::BitCast(d, hn::Set(di, 0x5f375a86) - hn::ShiftRight<1>(hn::BitCast(di, x)));
+    const hn::Vec<D> half = hn::Set(d, 0.5f) * x, three_halves = hn::Set(d, 1.5f);
+    y = y * (three_halves - half * y * y);
+    y = y * (three_halves - half * y * y);
     return y;
 }
+HWY_INLINE FloatVec inverse_sqrt(FloatVec x) { return inverse_sqrt(Floats(), x); }
 
 /// exp(-x) for x >= 0, within 2e-7 of itself; 0 beyond the smallest normal number.
 HWY_INLINE FloatVec exp_minus(FloatVec x) {

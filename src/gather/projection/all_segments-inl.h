@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every segment projected: one splat for those that are small from the point, exact arcs for the rest.
-#if defined(TRESS_GATHER_PROJECTION_FAR_SEGMENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef TRESS_GATHER_PROJECTION_FAR_SEGMENTS_INL_H
-#undef TRESS_GATHER_PROJECTION_FAR_SEGMENTS_INL_H
+#if defined(TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H
+#undef TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H
 #else
-#define TRESS_GATHER_PROJECTION_FAR_SEGMENTS_INL_H
+#define TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H
 #endif
 
 #include <bit>
@@ -54,10 +54,11 @@ HWY_INLINE FloatMask splat_segments(const ProjectedSegments& s, size_t i, const 
 }
 
 /// Row `i` of `s` as a piece to be drawn exactly.
-inline void add_piece(const ProjectedSegments& s, const Viewpoint& from, size_t i, uint32_t kind, PieceList& to) {
+inline void add_piece(const ProjectedSegments& s, const Viewpoint& from, size_t i, uint32_t kind, uint32_t segment,
+                      PieceList& to) {
     const Vec3 middle = Vec3(s.x[i], s.y[i], s.z[i]) - from.position;
     const Vec3 half = 0.5f * s.length[i] * Vec3(s.ux[i], s.uy[i], s.uz[i]);
-    to.add(middle - half, middle + half, s.radius[i] - s.taper[i], s.radius[i] + s.taper[i], kind);
+    to.add(middle - half, middle + half, s.radius[i] - s.taper[i], s.radius[i] + s.taper[i], kind, segment);
 }
 
 /// Splats for kMostLanes rows of `s` from `first` on: as many at once whatever the vectors hold, so that sums are the
@@ -86,7 +87,7 @@ HWY_INLINE void project_rows(const ProjectionInput& in, const Viewpoint& from, c
         const uint32_t original = original_of(i);
         if (unseen.holds(original, in.segments.stands_for)) continue;
         if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
-        add_piece(s, from, first + i, in.opacity.kind_of(original), scratch.pieces);
+        add_piece(s, from, first + i, in.opacity.kind_of(original), original, scratch.pieces);
     }
 }
 
@@ -101,8 +102,7 @@ void project_segments(const ProjectionInput& in, const Viewpoint& from, const Un
         };
         project_rows(in, from, unseen, s, i, kMostLanes, original_of, scratch, to);
     }
-    draw_pieces(in.igloo, from, in.opacity, scratch, to);
-    add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+    finish_pieces(in.igloo, from, in.opacity, scratch, to);
 }
 
 /// Those of scratch.chosen, as wide as their weights say.
@@ -125,8 +125,7 @@ void project_chosen(const ProjectionInput& in, const Viewpoint& from, const Unse
         project_rows(
             in, from, unseen, block, 0, count, [&](size_t lane) { return chosen[i + lane].segment; }, scratch, to);
     }
-    draw_pieces(in.igloo, from, in.opacity, scratch, to);
-    add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+    finish_pieces(in.igloo, from, in.opacity, scratch, to);
 }
 
 }  // namespace HWY_NAMESPACE
