@@ -309,3 +309,26 @@ TEST_CASE("an infinite absorption leaves only R, an index of 1 only TT") {
     const FiberSample none = sample(glassless, Rgb(kInfinity), direction(0.2, 0), 0.3f, glm::vec4(0.5f));
     CHECK(none.pdf == 0);
 }
+
+TEST_CASE("directions drawn together are those drawn one by one") {
+    for (const FiberModel model : {FiberModel::chiang, FiberModel::marschner})
+        for (const FiberLobes lobes : {FiberLobes::all, FiberLobes::reflected}) {
+            FiberParameters parameters;
+            parameters.model = model;
+            const Fiber fiber = make_fiber(parameters);
+            const Rgb sigma_a(0.1f, 0.3f, 0.6f);
+            const Vec3 wo = normalize(Vec3(0.2f, 0.5f, 0.7f));
+            std::vector<glm::vec4> u;
+            for (uint64_t i = 0; i < 50; ++i)
+                u.emplace_back(tress::random(i, 0), tress::random(i, 1), tress::random(i, 2), tress::random(i, 3));
+            std::vector<FiberSample> together(u.size());
+            sample(fiber, sigma_a, wo, 0.3f, u, together, lobes);
+            for (size_t i = 0; i < u.size(); ++i) {
+                const FiberSample one = sample(fiber, sigma_a, wo, 0.3f, u[i], lobes);
+                CHECK(one.wi == together[i].wi);
+                CHECK(one.pdf == together[i].pdf);
+                CHECK(one.value.forward == together[i].value.forward);
+                CHECK(one.value.reflected == together[i].value.reflected);
+            }
+        }
+}

@@ -18,9 +18,11 @@
 #include "core/builtin_scene.h"
 #include "core/error.h"
 #include "core/rng.h"
+#include "core/sampling.h"
 #include "gather/camera_points.h"
 #include "gather/projection/calibrate_gap.h"
 #include "gather/projection/viewpoints.h"
+#include "gather/seen_points.h"
 #include "io/load_scene.h"
 #include "io/scene_file.h"
 #include "tests/bench_support.h"
@@ -77,10 +79,9 @@ std::vector<ShadingPoint> seen_points(const Scene& scene, const PreparedScene& p
     find_camera_points(scene, prepared, camera_frame(camera), options, {0, 0, camera.width, camera.height}, 0, seen);
     std::vector<ShadingPoint> points, kept;
     const Bounds hair = bounds(prepared.segments);
-    const float reach = 0.5f * max_component(hair.extent());
     for (const ShadingPoint& point : seen.points) {
         const Vec3 off = max(max(hair.lo - point.position, point.position - hair.hi), Vec3(0));
-        if ((point.fiber != kPolygon) == on_hair && max_component(off) < reach) points.push_back(point);
+        if ((point.fiber != kPolygon) == on_hair && max_component(off) == 0) points.push_back(point);
     }
     const size_t step = std::max<size_t>(points.size() / most, 1);
     for (size_t i = 0; i < points.size() && kept.size() < most; i += step) kept.push_back(points[i]);
@@ -136,7 +137,24 @@ void print_errors(const std::vector<Irradiance>& test, const std::vector<Irradia
     }
 }
 
-void measure(const Scene& scene, Options options, const std::string& row, PreparedScene& prepared, const Truth& truth) {
+/// As for a render of the hair alone under a uniform sky, whatever the fibers do with the light.
+std::vector<LightTrial> under_uniform_sky(const std::vector<ShadingPoint>& points) {
+    constexpr uint32_t kPoints = 256, kDirections = 512;
+    std::vector<LightTrial> trials(std::min(points.size(), size_t(kPoints)));
+    for (size_t i = 0; i < trials.size(); ++i) {
+        trials[i].point = points[i * points.size() / trials.size()];
+        const Sampler sampler{hash(2, i), 0};
+        for (uint32_t j = 0; j < kDirections; ++j) {
+            const Vec3 direction = sample_uniform_sphere(Sampler{sampler.key, j}.get2(0));
+            trials[i].seen.push_back({direction, Rgb(1.0f / kDirections), kInfinity, false});
+        }
+    }
+    return trials;
+}
+
+/// `seen`: points of hair that the gap is chosen by.
+void measure(const std::vector<ShadingPoint>& seen, Options options, const std::string& row, PreparedScene& prepared,
+             const Truth& truth) {
     set_options(options, row);
     const double start = seconds();
     ProjectionDetail detail = options.projection.detail;
@@ -144,7 +162,7 @@ void measure(const Scene& scene, Options options, const std::string& row, Prepar
     HairProjection& projection = prepared.projection;
     projection = make_hair_projection(prepared.segments, prepared.attenuation, detail, options);
     const double built = seconds();
-    if (options.projection.gap < 0) calibrate_gap(scene, prepared, options);
+    if (options.projection.gap < 0) calibrate_gap(prepared, options, under_uniform_sky(seen));
     ProjectionScratch scratch;
     CellLight light;
     const size_t n = truth.points.size();
@@ -209,7 +227,8 @@ void run(const Arguments& arguments) {
         print_errors(found, truth.e);
         std::printf("\n");
     }
-    for (const std::string& row : arguments.rows) measure(loaded.scene, o, row, prepared, truth);
+    const std::vector<ShadingPoint> seen = find_seen_points(loaded.scene, prepared, o);
+    for (const std::string& row : arguments.rows) measure(seen, o, row, prepared, truth);
 }
 
 }  // namespace

@@ -171,7 +171,8 @@ TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
         const Rendered r = render(assemble({}, {square(1, Rgb(1))}, {PointLight{{0, 0, 3}, Rgb(1)}}, camera), options);
         CHECK(r.prepared.hair.empty());
         CHECK(names(r.prepared.costs) == std::vector<std::string>{stage::kMeshTree});
-        CHECK(names(loop_costs(r.state, r.plan)) == std::vector<std::string>{stage::kCameraRays, stage::kType1});
+        CHECK(names(loop_costs(r.state, r.prepared, r.plan)) ==
+              std::vector<std::string>{stage::kCameraRays, stage::kType1});
         CHECK(r.state.film.types[1].light.empty());
     }
     SUBCASE("no meshes, no light") {
@@ -193,7 +194,7 @@ TEST_CASE("what a scene does not need is neither built nor timed nor kept") {
         for (const PathType type : {PathType::type1, PathType::type2, PathType::type3}) switch_off(options, type);
         const Rendered r = render(busy_scene(8), options);
         CHECK(r.prepared.attenuation.table.empty());
-        CHECK(names(loop_costs(r.state, r.plan)) == std::vector<std::string>{stage::kCameraRays});
+        CHECK(names(loop_costs(r.state, r.prepared, r.plan)) == std::vector<std::string>{stage::kCameraRays});
     }
 }
 
@@ -208,7 +209,7 @@ TEST_CASE("stages are timed in the order of the plan") {
     for (const PlanItem& item : r.plan.stages)
         if (!item.name.starts_with("light ")) planned.push_back(item.name);
     for (const StageCost& cost : r.prepared.costs) timed.push_back(cost.name);
-    for (const StageCost& cost : loop_costs(r.state, r.plan)) timed.push_back(cost.name);
+    for (const StageCost& cost : loop_costs(r.state, r.prepared, r.plan)) timed.push_back(cost.name);
     CHECK(timed == planned);
 }
 

@@ -135,7 +135,7 @@ void run(const RenderArguments& arguments) {
 
     stats.render_seconds = state.seconds;
     stats.stages = prepared.costs;
-    for (StageCost& cost : loop_costs(state, plan)) stats.stages.push_back(std::move(cost));
+    for (StageCost& cost : loop_costs(state, prepared, plan)) stats.stages.push_back(std::move(cost));
     stats.left_out = plan.left_out;
     stats.types = type_shares(state.film, ShareOf::picture);
     stats.types_on_hair = type_shares(state.film, ShareOf::hair);

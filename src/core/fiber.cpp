@@ -102,9 +102,18 @@ FiberSample evaluate_with_pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3
 
 FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u,
                    FiberLobes lobes) {
-    return with_point(fiber, sigma_a, wo, h, [&](auto point) {
+    FiberSample drawn;
+    sample(fiber, sigma_a, wo, h, {&u, 1}, {&drawn, 1}, lobes);
+    return drawn;
+}
+
+void sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, std::span<const glm::vec4> u,
+            std::span<FiberSample> drawn, FiberLobes lobes) {
+    assert(u.size() == drawn.size());
+    with_point(fiber, sigma_a, wo, h, [&](auto point) {
         keep_lobes(point, lobes);
-        return without_others(evaluate_with_pdf(fiber, point, sample(fiber, point, u)), lobes);
+        for (size_t i = 0; i < drawn.size(); ++i)
+            drawn[i] = without_others(evaluate_with_pdf(fiber, point, sample(fiber, point, u[i])), lobes);
     });
 }
 

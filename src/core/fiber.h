@@ -72,6 +72,9 @@ enum class FiberLobes { all, reflected };
 /// Direction with density near proportional to f |cos theta_i|. `u` is uniform in [0, 1)^4.
 FiberSample sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, const glm::vec4& u,
                    FiberLobes lobes = FiberLobes::all);
+/// As many directions as `drawn`, at the cost of one preparation. `u` has as many rows.
+void sample(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, float h, std::span<const glm::vec4> u,
+            std::span<FiberSample> drawn, FiberLobes lobes = FiberLobes::all);
 /// The density with which `sample` chooses wi.
 float pdf(const Fiber& fiber, const Rgb& sigma_a, const Vec3& wo, const Vec3& wi, float h);
 /// Both at once, for little more than one of them: what `sample` would say had it drawn wi.

@@ -266,11 +266,9 @@ private:
         if (plan_.direct)
             build(stage::kType1, counted(plan_.lamps.size(), "lamp") + ", by " + asked(plan_.lamp_maps) + estimate());
         if (plan_.projection)
-            build(
-                stage::kProjection,
-                counted(size_t(options_.projection.cells), "cell") + " a hemisphere, " +
-                    counted(size_t(options_.projection.directions), "direction") +
-                    (plan_.mesh_tree ? ", " + counted(size_t(options_.projection.rays), "ray") + " to polygons" : ""));
+            build(stage::kProjection, counted(size_t(options_.projection.cells), "cell") + " a hemisphere, " +
+                                          counted(size_t(options_.projection.directions), "direction") +
+                                          (plan_.mesh_tree ? "; polygons as probes between points see them" : ""));
         if (plan_.sky && !plan_.projection)
             build(stage::kSky, counted(plan_.environments.size(), "environment") + ", by shadow rays through the hair");
         if (plan_.gather_rays()) {

@@ -108,12 +108,6 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
     if (plan.hair_colors)
         timed(p.costs, stage::kHairColors, [&] { return make_hair_colors(scene, p.segments, p.attenuation); });
     make_shadow_maps(scene, plan, options, p);
-    if (plan.projection)
-        timed(p.costs, stage::kProjectedHair, [&] {
-            p.projection = make_hair_projection(p.segments, p.attenuation, *plan.projection, options);
-            calibrate_gap(scene, p, options);
-            return bytes(p.projection);
-        });
     if (plan.photons()) {
         TracedPhotons traced;
         timed(p.costs, stage::kPhotons, [&] {
@@ -123,6 +117,13 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
         p.photon_statistics = std::move(traced.statistics);
         make_maps(scene, plan, options, traced, p);
     }
+    if (plan.projection)
+        timed(p.costs, stage::kProjectedHair, [&] {
+            p.projection = make_hair_projection(p.segments, p.attenuation, *plan.projection, options);
+            if (plan.mesh_tree) p.probes = std::make_unique<LightProbes>(p.projection.bounds, options.projection);
+            calibrate_gap(p, options, make_light_trials(scene, plan, p, options));
+            return bytes(p.projection);
+        });
     return p;
 }
 

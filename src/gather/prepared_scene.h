@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "core/stage_cost.h"
 #include "gather/photons/photon_maps.h"
 #include "gather/projection/hair_projection.h"
+#include "gather/projection/light_probes.h"
 #include "gather/shadow_maps/lamp_maps.h"
 
 namespace tress {
@@ -26,6 +28,7 @@ struct PreparedScene {
     std::vector<std::optional<EnvironmentSampler>> environment;  // one a light; none where not an environment
     std::array<LampMaps, kMapKinds> shadow_maps;                 // by kind; empty where left out
     HairProjection projection;                                   // likewise
+    std::unique_ptr<LightProbes> probes;                         // null where left out; made as points ask for them
     PhotonMaps photons;                                          // empty where left out
     PhotonStatistics photon_statistics;                          // likewise
     std::vector<StageCost> costs;

@@ -42,7 +42,7 @@ void advance(RenderState& state, const Scene& scene, const PreparedScene& prepar
     state.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::vector<StageCost> loop_costs(const RenderState& state, const Plan& plan) {
+std::vector<StageCost> loop_costs(const RenderState& state, const PreparedScene& prepared, const Plan& plan) {
     std::vector<StageCost> costs;
     std::vector<LoopStage> stages;
     const auto list = [&](bool planned, const char* name, LoopStage stage, size_t bytes = 0) {
@@ -52,7 +52,8 @@ std::vector<StageCost> loop_costs(const RenderState& state, const Plan& plan) {
     };
     list(true, stage::kCameraRays, LoopStage::camera_rays, bytes(state.film));
     list(plan.direct, stage::kType1, LoopStage::type1);
-    list(plan.projection.has_value(), stage::kProjection, LoopStage::projection);
+    list(plan.projection.has_value(), stage::kProjection, LoopStage::projection,
+         prepared.probes ? prepared.probes->bytes() : 0);
     list(plan.sky && !plan.projection, stage::kSky, LoopStage::sky);
     list(plan.gather_rays(), stage::kGatherRays, LoopStage::gather_rays);
     list(plan.polygon_gather && !plan.projection, stage::kPolygonGather, LoopStage::polygon_gather);

@@ -31,6 +31,6 @@ void advance(RenderState& state, const Scene& scene, const PreparedScene& prepar
              const Options& options, int samples);
 
 /// Cost of each stage of the loop that the plan lists.
-std::vector<StageCost> loop_costs(const RenderState& state, const Plan& plan);
+std::vector<StageCost> loop_costs(const RenderState& state, const PreparedScene& prepared, const Plan& plan);
 
 }  // namespace tress

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gather/shading_point.h"
 
+#include <array>
+
 #include "core/sampling.h"
 
 namespace tress {
@@ -87,13 +89,29 @@ Scattering scatter(const Scene& scene, const ShadingPoint& point, const Vec3& wi
 }
 
 ScatteredDirection draw_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u) {
+    ScatteredDirection drawn;
+    draw_scattering(scene, point, {&u, 1}, {&drawn, 1});
+    return drawn;
+}
+
+void draw_scattering(const Scene& scene, const ShadingPoint& point, std::span<const glm::vec4> u,
+                     std::span<ScatteredDirection> drawn) {
     if (point.fiber == kPolygon) {
-        const Vec3 local = sample_cosine_hemisphere({u.x, u.y});
-        const Vec3 wi = point.frame.to_world(local);
-        return {wi, scatter_by_polygon(point, wi, local.z)};
+        for (size_t i = 0; i < drawn.size(); ++i) {
+            const Vec3 local = sample_cosine_hemisphere({u[i].x, u[i].y});
+            const Vec3 wi = point.frame.to_world(local);
+            drawn[i] = {wi, scatter_by_polygon(point, wi, local.z)};
+        }
+        return;
     }
-    const FiberSample s = sample(scene.fibers[point.fiber], point.color, point.wo, point.h, u, point.lobes);
-    return {point.frame.to_world(s.wi), of_fiber(s)};
+    std::array<FiberSample, 32> samples;
+    for (size_t first = 0; first < drawn.size(); first += samples.size()) {
+        const size_t count = std::min(samples.size(), drawn.size() - first);
+        sample(scene.fibers[point.fiber], point.color, point.wo, point.h, u.subspan(first, count),
+               std::span(samples).first(count), point.lobes);
+        for (size_t i = 0; i < count; ++i)
+            drawn[first + i] = {point.frame.to_world(samples[i].wi), of_fiber(samples[i])};
+    }
 }
 
 Rgb layer_albedo(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& point) {

@@ -55,6 +55,9 @@ struct ScatteredDirection {
 };
 /// `u` is uniform in [0, 1)^4.
 ScatteredDirection draw_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u);
+/// As many as `drawn`, for less than one by one. `u` has as many rows.
+void draw_scattering(const Scene& scene, const ShadingPoint& point, std::span<const glm::vec4> u,
+                     std::span<ScatteredDirection> drawn);
 /// The direction alone.
 inline Vec3 sample_scattering(const Scene& scene, const ShadingPoint& point, const glm::vec4& u) {
     return draw_scattering(scene, point, u).direction;

@@ -56,23 +56,30 @@ HWY_INLINE void add_depth(Rgbx& cell, const Rgbx& opacity, float coverage) {
     }
 }
 
-/// Finds the cell of each splat and the share of it that is covered; none below the horizon of a hemisphere.
+/// Finds the cell of each splat and the share of it that is covered; none below the horizon of a hemisphere. Cells of
+/// hair behind polygons follow those of all other.
 inline void find_cells(const Igloo& igloo, const Viewpoint& from, Splats& splats) {
     const Floats d;
     const Ints di;
     const Frame& f = from.frame;
     const FloatVec per_cell = set(1 / igloo.solid_angle()), zero = hn::Zero(d);
     const bool clip = from.dome == Dome::hemisphere;
+    const IntVec all = hn::Set(di, int32_t(igloo.cells_of(from.dome)));
     for (size_t at = 0; at < splats.size; at += hn::Lanes(d)) {
         const FloatVec x = hn::Load(d, &splats.x[at]), y = hn::Load(d, &splats.y[at]), z = hn::Load(d, &splats.z[at]);
-        const FloatVec inverse = inverse_sqrt(dot3(x, y, z, x, y, z));
+        const FloatVec squared = dot3(x, y, z, x, y, z), inverse = inverse_sqrt(squared);
         const FloatVec local_x = dot3(set(f.x.x), set(f.x.y), set(f.x.z), x, y, z) * inverse;
         const FloatVec local_y = dot3(set(f.y.x), set(f.y.y), set(f.y.z), x, y, z) * inverse;
         const FloatVec local_z = dot3(set(f.z.x), set(f.z.y), set(f.z.z), x, y, z) * inverse;
-        const FloatVec covered = hn::Load(d, &splats.solid_angle[at]) * per_cell;
-        const FloatVec height = clip ? hn::Max(local_z, zero) : local_z;
-        hn::Store(cells_of(igloo, local_x, local_y, height), di, &splats.cell[at]);
-        hn::Store(clip ? hn::IfThenElseZero(local_z >= zero, covered) : covered, d, &splats.coverage[at]);
+        FloatVec covered = hn::Load(d, &splats.solid_angle[at]) * per_cell;
+        IntVec cell = cells_of(igloo, local_x, local_y, clip ? hn::Max(local_z, zero) : local_z);
+        if (clip) covered = hn::IfThenElseZero(local_z >= zero, covered);
+        if (!from.sight.empty()) {
+            const auto hidden = squared > hn::GatherIndex(d, from.sight.data(), cell);
+            cell = cell + hn::IfThenElseZero(hn::RebindMask(di, hidden), all);
+        }
+        hn::Store(cell, di, &splats.cell[at]);
+        hn::Store(covered, d, &splats.coverage[at]);
     }
 }
 

@@ -90,9 +90,11 @@ HWY_INLINE void draw_arc(const ArcRow& arc, Splats& to) {
                           : covered * in_means;
         }
         const FloatVec row = cos_psi * set(float(kOpacityRows - 1)) + set(0.5f);
-        hn::StoreU(sin_psi * set(arc.axis.x) + cos_psi * set(arc.normal.x), d, &to.x[to.size + i]);
-        hn::StoreU(sin_psi * set(arc.axis.y) + cos_psi * set(arc.normal.y), d, &to.y[to.size + i]);
-        hn::StoreU(sin_psi * set(arc.axis.z) + cos_psi * set(arc.normal.z), d, &to.z[to.size + i]);
+        const FloatVec distance = set(arc.foot) * inverse_cos;
+        const FloatVec along = distance * sin_psi, across = distance * cos_psi;
+        hn::StoreU(along * set(arc.axis.x) + across * set(arc.normal.x), d, &to.x[to.size + i]);
+        hn::StoreU(along * set(arc.axis.y) + across * set(arc.normal.y), d, &to.y[to.size + i]);
+        hn::StoreU(along * set(arc.axis.z) + across * set(arc.normal.z), d, &to.z[to.size + i]);
         hn::StoreU(covered, d, &to.solid_angle[to.size + i]);
         hn::StoreU(hn::ConvertTo(di, row) + hn::Set(di, arc.first_opacity_row), di, &to.opacity_row[to.size + i]);
     }
@@ -199,7 +201,7 @@ void finish_pieces(const Igloo& igloo, const Viewpoint& from, const HairOpacity&
     add_splats(igloo, from, opacity, scratch.splats, to);
     std::vector<ArcRow>& arcs = scratch.wide_arcs;
     std::stable_sort(arcs.begin(), arcs.end(), [](const ArcRow& a, const ArcRow& b) { return a.segment < b.segment; });
-    scratch.wide.absorbed.resize(2 * size_t(igloo.cells));
+    scratch.wide.absorbed.resize(to.cells);
     for (size_t i = 0; i < arcs.size(); ++i) {
         draw_wide(igloo, from, opacity, arcs[i], scratch.wide_splats, scratch.wide);
         if (i + 1 == arcs.size() || arcs[i + 1].segment != arcs[i].segment) add_fiber(scratch.wide, to);

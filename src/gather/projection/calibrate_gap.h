@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// How much of the gaps between cells must be added (CellLight), found by rays; and what error is left.
+// How much of the gaps between cells must be added (CellTransmittance), found by rays; and what error is left.
 #pragma once
 
-#include "gather/prepared_scene.h"
+#include <span>
+
+#include "gather/projection/light_trials.h"
 
 namespace tress {
 
-/// Compares the mean transmittance about some points of hair that the eye sees with rays. Where options say that rays
-/// choose the gap, sets it so that no bias is left; sets prepared.projection.error in any case.
-void calibrate_gap(const Scene& scene, PreparedScene& prepared, const Options& options);
+/// Compares light by projection with rays along the same directions. Where options say that rays choose the gap, sets
+/// it so that no bias is left; sets prepared.projection.error in any case.
+void calibrate_gap(PreparedScene& prepared, const Options& options, std::span<const LightTrial> trials);
 
 }  // namespace tress

@@ -2,6 +2,8 @@
 // Optical depth of the hair in each cell about a point, as a sum over pieces of hair in any number of calls.
 #pragma once
 
+#include <span>
+
 #include "core/aligned_array.h"
 #include "core/frame.h"
 #include "gather/projection/hair_opacity.h"
@@ -15,8 +17,8 @@ template <class Depth>
 struct CellDepths {
     static constexpr size_t kCopies = sizeof(Depth) == sizeof(float) ? 4 : 2;
 
-    AlignedArray<Depth> depth;  // kCopies x cells of the dome
-    size_t cells = 0;
+    AlignedArray<Depth> depth;  // kCopies x cells
+    size_t cells = 0;           // of the dome; those of hair out of sight follow, where there are polygons
 
     void clear(size_t of_cells) {
         cells = of_cells;
@@ -35,6 +37,8 @@ struct Viewpoint {
     Vec3 position{0};
     Frame frame;  // z: the pole
     Dome dome = Dome::sphere;
+    std::span<const float> sight =
+        {};  // squared distance of polygons among the hair, one a cell; empty: there are none
 };
 
 /// What projection does not see from a point: its own fiber, by identity (segments [first, last]; none: first > last).

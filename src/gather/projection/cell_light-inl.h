@@ -48,11 +48,13 @@ float depth_in(const Depth& depth) {
 }
 
 template <int kChannel, class Depth>
-void find_channel(const Igloo& igloo, const CellDepths<Depth>& depths, float gap, CellLight& to) {
+void find_channel(const Igloo& igloo, const CellDepths<Depth>& depths, size_t cells, bool in_sight, float gap,
+                  CellTransmittance& to) {
     const Floats d;
-    const size_t cells = depths.cells;
     HWY_ALIGN float root[2 * Igloo::kMostCells + kMostLanes];
     for (size_t i = 0; i < cells; ++i) root[i] = depth_in<kChannel>(depths.sum(i));
+    if (!in_sight && depths.cells > cells)
+        for (size_t i = 0; i < cells; ++i) root[i] += depth_in<kChannel>(depths.sum(cells + i));
     for (size_t i = cells; i < padded(cells); ++i) root[i] = 0;
     for (size_t i = 0; i < cells; i += hn::Lanes(d))
         hn::Store(exp_minus(set(0.5f) * hn::Load(d, root + i)), d, root + i);

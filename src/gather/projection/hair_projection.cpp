@@ -51,7 +51,7 @@ void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& 
         default:
             kernels.project_segments(in, from, unseen, scratch);
     }
-    kernels.find_light(in, from.dome, scratch, light);
+    kernels.find_light(in, from, scratch, light);
 }
 
 size_t bytes(const HairProjection& p) { return bytes(p.opacity) + bytes(p.segments) + bytes(p.layers) + bytes(p.tree); }

@@ -65,6 +65,15 @@ void find_neighbors(Igloo& igloo) {
     }
 }
 
+void find_centers(Igloo& igloo) {
+    for (auto* row : {&igloo.center_x, &igloo.center_y, &igloo.center_z})
+        row->assign(2 * size_t(igloo.cells) + Igloo::kPadding, 0);
+    for (uint32_t cell = 0; cell < 2 * igloo.cells; ++cell) {
+        const Vec3 center = direction_in(igloo, cell, Vec2(0.5f));
+        igloo.center_x[cell] = center.x, igloo.center_y[cell] = center.y, igloo.center_z[cell] = center.z;
+    }
+}
+
 }  // namespace
 
 Igloo make_igloo(uint32_t cells) {
@@ -77,6 +86,7 @@ Igloo make_igloo(uint32_t cells) {
         igloo.row_of.insert(igloo.row_of.end(), count, int32_t(first | count << 16));
     }
     find_neighbors(igloo);
+    find_centers(igloo);
     return igloo;
 }
 

@@ -17,12 +17,13 @@ enum class Dome { hemisphere, sphere };  // at polygons, at hair
 
 struct Igloo {
     static constexpr uint32_t kFewestCells = 4, kMostCells = 1 << 14;  // a hemisphere
-    static constexpr size_t kPadding = 16;                             // entries of `neighbor` past the last
+    static constexpr size_t kPadding = 16;                             // entries past the last, for whole vectors
 
     uint32_t cells = 0;               // a hemisphere
     std::vector<uint32_t> row_first;  // cells before each row, and one past the last
     std::vector<int32_t> row_of;  // one for each cell count k: the row of heights (1 - (k + 1) / cells, 1 - k / cells],
                                   // as first + count * 2^16
+    std::vector<float> center_x, center_y, center_z;  // of each cell of the sphere, padded as `neighbor`
     std::vector<int32_t> neighbor;  // 4 x (2 cells): left, right, nearest above and below, over the sphere
 
     uint32_t rows() const { return uint32_t(row_first.size()) - 1; }

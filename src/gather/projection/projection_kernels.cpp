@@ -11,6 +11,7 @@
 #include "gather/projection/all_segments-inl.h"
 #include "gather/projection/cell_light-inl.h"
 #include "gather/projection/moment_walk-inl.h"
+#include "gather/projection/sight-inl.h"
 #include "hwy/highway.h"
 // clang-format on
 
@@ -21,7 +22,7 @@ namespace HWY_NAMESPACE {
 /// Calls run(depths) with the cleared sums of as many channels as the hair needs.
 template <class Run>
 void with_depths(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch, const Run& run) {
-    const size_t cells = in.igloo.cells_of(from.dome);
+    const size_t cells = in.igloo.cells_of(from.dome) * (from.sight.empty() ? 1 : 2);
     if (in.opacity.gray) {
         scratch.gray.clear(cells);
         run(scratch.gray);
@@ -46,16 +47,22 @@ void project_tree_of(const ProjectionInput& in, const Viewpoint& from, const Uns
     with_depths(in, from, scratch, [&](auto& depths) { project_tree(in, from, unseen, scratch, depths); });
 }
 
-void find_light(const ProjectionInput& in, Dome dome, const ProjectionScratch& scratch, CellLight& to) {
+void find_light(const ProjectionInput& in, const Viewpoint& from, const ProjectionScratch& scratch, CellLight& to) {
     to.gray = in.opacity.gray;
-    to.cells = in.igloo.cells_of(dome);
-    if (to.gray) return find_channel<0>(in.igloo, scratch.gray, in.gap, to);
-    find_channel<0>(in.igloo, scratch.color, in.gap, to);
-    find_channel<1>(in.igloo, scratch.color, in.gap, to);
-    find_channel<2>(in.igloo, scratch.color, in.gap, to);
+    to.cells = in.igloo.cells_of(from.dome);
+    const auto find = [&](bool in_sight, CellTransmittance& light) {
+        if (to.gray) return find_channel<0>(in.igloo, scratch.gray, to.cells, in_sight, in.gap, light);
+        find_channel<0>(in.igloo, scratch.color, to.cells, in_sight, in.gap, light);
+        find_channel<1>(in.igloo, scratch.color, to.cells, in_sight, in.gap, light);
+        find_channel<2>(in.igloo, scratch.color, to.cells, in_sight, in.gap, light);
+    };
+    find(false, to.all);
+    if (!from.sight.empty()) find(true, to.in_sight);
 }
 
-ProjectionKernels kernels_here() { return {project_segments_of, project_chosen_of, project_tree_of, find_light}; }
+ProjectionKernels kernels_here() {
+    return {project_segments_of, project_chosen_of, project_tree_of, find_light, find_sight};
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace tress

@@ -4,6 +4,7 @@
 
 #include "core/options.h"
 #include "gather/projection/cell_light.h"
+#include "gather/projection/light_probe.h"
 #include "gather/projection/moment_tree.h"
 #include "gather/projection/projected_segments.h"
 #include "gather/projection/projection_scratch.h"
@@ -28,7 +29,10 @@ struct ProjectionKernels {
     void (*project_chosen)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_tree)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     /// From the sums of depths to light.
-    void (*find_light)(const ProjectionInput&, Dome, const ProjectionScratch&, CellLight&);
+    void (*find_light)(const ProjectionInput&, const Viewpoint&, const ProjectionScratch&, CellLight&);
+    /// Squared distance of polygons among the hair in each cell of a viewpoint near the probe; infinity where there are
+    /// none.
+    void (*find_sight)(const LightProbe&, const Igloo& of_probe, const Igloo&, const Viewpoint&, std::vector<float>&);
 };
 
 ProjectionKernels projection_kernels(Isa isa);

@@ -15,12 +15,14 @@ Frame spun(const Frame& frame, float turn) {
 
 }  // namespace
 
+Frame turned_at_random(uint64_t key) {
+    return spun(frame_about(sample_uniform_sphere({random(key, 1), random(key, 2)})), random(key, 0));
+}
+
 Viewpoint viewpoint_of(const ShadingPoint& point, uint64_t key) {
-    const float turn = random(key, 0);
     if (point.fiber == kPolygon)
-        return {point.position, spun(frame_about(point.geometric_normal), turn), Dome::hemisphere};
-    const float u = random(key, 1), v = random(key, 2);
-    return {point.position, spun(frame_about(sample_uniform_sphere({u, v})), turn), Dome::sphere};
+        return {point.position, spun(frame_about(point.geometric_normal), random(key, 0)), Dome::hemisphere, {}};
+    return {point.position, turned_at_random(key), Dome::sphere, {}};
 }
 
 }  // namespace tress

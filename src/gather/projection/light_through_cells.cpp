@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "gather/projection/light_through_cells.h"
+
+#include "gather/projection/viewpoints.h"
+
+namespace tress {
+
+Rgb LightThroughCells::operator()(const PreparedScene& prepared, const ShadingPoint& point, const LightProbe* probe,
+                                  std::span<const SeenLight> seen, uint64_t key, Isa isa) {
+    const HairProjection& hair = prepared.projection;
+    Viewpoint from = viewpoint_of(point, key);
+    if (probe) {
+        projection_kernels(isa).find_sight(*probe, prepared.probes->igloo(), hair.igloo, from, sight_);
+        from.sight = std::span(sight_).first(hair.igloo.cells_of(from.dome));
+    }
+    project(hair, prepared.segments, from, unseen_from(point), isa, scratch_, cells_);
+    Rgb sum(0);
+    for (const SeenLight& light : seen) {
+        const uint32_t cell = cell_of(hair.igloo, from.frame.to_local(light.direction));
+        if (cell >= cells_.cells) continue;  // below a polygon's horizon
+        if (!light.among_hair)
+            sum += light.radiance * cells_.transmittance(cell);
+        else if (probe)
+            sum += light.radiance * cells_.transmittance_in_sight(cell);
+    }
+    return sum;
+}
+
+}  // namespace tress

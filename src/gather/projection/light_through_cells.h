@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What of the light that a point may receive comes through the cells about it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gather/prepared_scene.h"
+#include "gather/projection/seen_light.h"
+
+namespace tress {
+
+class LightThroughCells {
+public:
+    /// `probe`: by which `seen` was found; null: light from among the hair is left out. The igloo is turned by `key`.
+    Rgb operator()(const PreparedScene& prepared, const ShadingPoint& point, const LightProbe* probe,
+                   std::span<const SeenLight> seen, uint64_t key, Isa isa);
+
+private:
+    ProjectionScratch scratch_;
+    CellLight cells_;
+    std::vector<float> sight_;
+};
+
+}  // namespace tress

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "gather/projection/light_trials.h"
+
+#include <tbb/parallel_for.h>
+
+#include "core/rng.h"
+#include "gather/projection/make_light_probe.h"
+#include "gather/seen_points.h"
+
+namespace tress {
+namespace {
+
+constexpr size_t kPoints = 256;
+constexpr int kDirections = 512;  // a point
+constexpr uint64_t kKey = hash(0, 0x747269616c);
+
+}  // namespace
+
+std::vector<LightTrial> make_light_trials(const Scene& scene, const Plan& plan, const PreparedScene& prepared,
+                                          const Options& options) {
+    const std::vector<ShadingPoint> seen = find_seen_points(scene, prepared, options);
+    std::vector<LightTrial> trials(std::min(seen.size(), kPoints));
+    tbb::parallel_for(size_t(0), trials.size(), [&](size_t i) {
+        LightTrial& t = trials[i];
+        t.point = seen[i * seen.size() / trials.size()];
+        std::vector<DrawnDirection> directions;
+        DirectionDraw()(scene, prepared, plan, t.point, {hash(kKey, i), 0}, kDirections, directions);
+        if (prepared.probes) {
+            const Igloo& igloo = prepared.probes->igloo();
+            t.probe = make_light_probe(scene, prepared, plan, igloo, t.point.position, t.point.excluded, hash(kKey, i),
+                                       options.isa);
+            find_seen_light(*t.probe, igloo, t.point, directions, t.seen);
+        } else {
+            SeenLightByRays()(scene, prepared, plan, options, t.point, directions, t.seen);
+        }
+    });
+    return trials;
+}
+
+}  // namespace tress

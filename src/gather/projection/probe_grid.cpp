@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "gather/projection/probe_grid.h"
+
+namespace tress {
+namespace {
+
+const Vec3 kOffset(0.37f, 0.59f, 0.83f);  // of the origin, in cubes: corners are not on polygons at round numbers
+
+}  // namespace
+
+ProbeGrid make_probe_grid(const Bounds& hair, int across) {
+    const float longest = max_component(hair.extent());
+    const float size = longest > 0 ? longest / float(across) : 1;
+    return {hair.lo - size * kOffset, size};
+}
+
+uint64_t ProbeCube::key(int i) const {
+    const auto part = [](int32_t at) { return uint64_t(at) & 0x1fffff; };
+    return part(x + (i & 1)) | part(y + (i >> 1 & 1)) << 21 | part(z + (i >> 2)) << 42;
+}
+
+float ProbeCube::weight(int i) const {
+    return (i & 1 ? place.x : 1 - place.x) * (i >> 1 & 1 ? place.y : 1 - place.y) * (i >> 2 ? place.z : 1 - place.z);
+}
+
+ProbeCube cube_at(const ProbeGrid& grid, const Vec3& place) {
+    const Vec3 sides = (place - grid.origin) / grid.size, whole = floor(sides);
+    return {int32_t(whole.x), int32_t(whole.y),
+            int32_t(whole.z), grid.origin + grid.size * whole,
+            grid.size,        clamp(sides - whole, Vec3(0), Vec3(1))};
+}
+
+}  // namespace tress

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Where probes stand: at the corners of a grid of cubes over the hair.
+#pragma once
+
+#include <cstdint>
+
+#include "core/bounds.h"
+
+namespace tress {
+
+struct ProbeGrid {
+    Vec3 origin{0};
+    float size = 1;  // of the cubes
+};
+
+/// `across`: cubes along the longest side of the hair.
+ProbeGrid make_probe_grid(const Bounds& hair, int across);
+
+/// The cube that a place is in.
+struct ProbeCube {
+    int32_t x, y, z;  // of the low corner, in cubes from the origin
+    Vec3 low;         // corner
+    float size;
+    Vec3 place;  // in the cube, [0, 1]
+
+    /// Of corners 0 to 7, one bit an axis.
+    Vec3 corner(int i) const { return low + size * Vec3(i & 1, i >> 1 & 1, i >> 2); }
+    /// Of the corner, the same in all cubes that share it.
+    uint64_t key(int i) const;
+    /// Of trilinear interpolation at the place.
+    float weight(int i) const;
+};
+
+/// `place`: within the bounds of the hair.
+ProbeCube cube_at(const ProbeGrid& grid, const Vec3& place);
+
+}  // namespace tress
