@@ -82,7 +82,7 @@ struct ProjectionOptions {
     ProjectionDetail detail = ProjectionDetail::automatic;
     int directions = 64;    // drawn a point by its scattering, seen through its cells
     int rays = 16;          // at polygons: directions, each a ray
-    int probes = 96;        // cubes across the hair whose corners are probes of what lies beyond the hair
+    int probes = 64;        // cubes across the hair whose corners are probes of what lies beyond the hair
     int probe_cells = 256;  // a hemisphere of a probe, a ray to polygons each
     float opening = 3;      // tree: cubes larger than this many cells are opened
     float splats = 2;       // tree: that stand for a cube as large as a cell

@@ -5,8 +5,8 @@ namespace tress {
 
 uint32_t cell_towards(const LightProbe& probe, const Igloo& igloo, const Vec3& place, const Vec3& direction) {
     const uint32_t first = cell_of(igloo, probe.frame.to_local(direction));
-    if (!(probe.distance[first] < kInfinity)) return first;
-    const Vec3 seen = place + probe.distance[first] * direction - probe.position;
+    if (probe.cells[first].is_sky()) return first;
+    const Vec3 seen = place + probe.cells[first].distance() * direction - probe.position;
     const float far = length(seen);
     return far > 0 ? cell_of(igloo, probe.frame.to_local(seen / far)) : first;
 }

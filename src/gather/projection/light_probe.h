@@ -6,23 +6,27 @@
 #include <vector>
 
 #include "core/frame.h"
+#include "core/shared_exponent.h"
 #include "gather/projection/igloo.h"
 
 namespace tress {
 
-/// Rows belong together by the cell of a sphere.
+/// What a probe sees in one cell.
+struct ProbeCell {
+    float signed_distance = kInfinity;  // of the polygon; negative: it is among the hair; infinity: none, the sky
+    SharedExponent radiance;            // of the polygon, towards the probe
+
+    float distance() const { return std::abs(signed_distance); }
+    bool is_sky() const { return signed_distance == kInfinity; }
+    bool is_among_hair() const { return signed_distance < 0; }
+};
+
 struct LightProbe {
     Vec3 position{0};
-    Frame frame;                                   // of the igloo
-    std::vector<float> distance;                   // of the polygon seen in the cell; infinity: the sky
-    std::vector<float> among_distance;             // the same where the polygon is among the hair; else infinity
-    std::vector<Rgb> radiance;                     // of the polygon, towards the place
-    std::vector<float> among_x, among_y, among_z;  // polygons among the hair, one after another, from the place; padded
+    Frame frame;                   // of the igloo
+    std::vector<ProbeCell> cells;  // of a sphere
 
-    size_t bytes() const {
-        return sizeof(LightProbe) + distance.size() * (2 * sizeof(float) + sizeof(Rgb)) +
-               3 * among_x.size() * sizeof(float);
-    }
+    size_t bytes() const { return sizeof(LightProbe) + cells.size() * sizeof(ProbeCell); }
 };
 
 /// The cell that sees what is seen from `place`, near the probe, along the unit vector `direction`: the polygon at

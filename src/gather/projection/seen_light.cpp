@@ -19,13 +19,9 @@ void find_seen_light(const LightProbe& probe, const Igloo& igloo, const ShadingP
                      std::span<const DrawnDirection> directions, std::vector<SeenLight>& to) {
     to.clear();
     for (const DrawnDirection& d : directions) {
-        const uint32_t cell = cell_towards(probe, igloo, point.position, d.direction);
-        if (probe.distance[cell] < kInfinity)
-            add({d.direction, d.weight * probe.radiance[cell], probe.distance[cell],
-                 probe.among_distance[cell] < kInfinity},
-                to);
-        else
-            add({d.direction, d.from_sky, kInfinity, false}, to);
+        const ProbeCell& cell = probe.cells[cell_towards(probe, igloo, point.position, d.direction)];
+        const Rgb radiance = cell.is_sky() ? d.from_sky : d.weight * unpack(cell.radiance);
+        add({d.direction, radiance, cell.distance(), cell.is_among_hair()}, to);
     }
 }
 
