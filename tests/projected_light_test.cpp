@@ -105,3 +105,24 @@ TEST_CASE("layers and simplified hair keep the light where they are weighted, an
         CHECK(light(detail, false) > 1.1 * all);
     }
 }
+
+TEST_CASE("auto projects where that is estimated to take less time than the rays asked for") {
+    const Scene scene = hair_before_wall(true, Rgb(1));
+    Options options = type2_by(GatherMethod::automatic, ProjectionDetail::automatic);
+    options.gather.rays = 1;
+    options.spp = 1;
+    const Plan few = make_plan(scene, options);
+    REQUIRE(few.gather_cost);
+    CHECK_FALSE(few.gather_cost->projection_pays());
+    CHECK_FALSE(few.projection);
+    options.gather.rays = 4096;
+    options.spp = 1 << 20;
+    const Plan many = make_plan(scene, options);
+    REQUIRE(many.gather_cost);
+    CHECK(many.gather_cost->projection_pays());
+    CHECK(many.projection == ProjectionDetail::all);
+    CHECK(many.gather_cost->rays == doctest::Approx(few.gather_cost->rays * 4096.0 * (1 << 20)));
+    CHECK(many.gather_cost->projection == doctest::Approx(few.gather_cost->projection * (1 << 20)));
+    for (const GatherMethod method : {GatherMethod::ray, GatherMethod::projection, GatherMethod::off})
+        CHECK_FALSE(make_plan(scene, type2_by(method)).gather_cost);
+}

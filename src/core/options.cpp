@@ -15,7 +15,7 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view kLampNames[] = {"off", "ray", "deep", "opacity", "clusters", "path", "auto"};
 constexpr std::string_view kCrossingNames[] = {"off", "ray", "ray+deep", "ray+opacity", "ray+clusters", "path"};
-constexpr std::string_view kGatherNames[] = {"off", "ray", "projection", "path"};
+constexpr std::string_view kGatherNames[] = {"off", "ray", "projection", "path", "auto"};
 constexpr std::string_view kDetailNames[] = {"auto", "all", "simplified", "layers", "tree"};
 constexpr std::string_view kMeasureNames[] = {"root", "segment"};
 constexpr std::string_view kScatteredNames[] = {"off", "photons", "path"};

@@ -16,7 +16,7 @@
 namespace tress {
 
 enum class LampMethod : int { off, ray, deep, opacity, clusters, path, automatic };       // type 1
-enum class GatherMethod : int { off, ray, projection, path };                             // type 2
+enum class GatherMethod : int { off, ray, projection, path, automatic };                  // type 2
 enum class CrossingMethod : int { off, ray, ray_deep, ray_opacity, ray_clusters, path };  // type 3
 enum class ScatteredMethod : int { off, photons, path };                                  // types 4 and 5
 enum class ScatteringModel : int { straight, full };

@@ -225,25 +225,44 @@ private:
                "photons for " + type_list(plan_.photon_display) + " at the eye's points", "no type shows photons");
     }
 
-    /// Empty: type 2 is by projection.
-    std::string why_no_projection() const {
-        if (options_.type2 != GatherMethod::projection) return "type 2 is not by projection";
+    /// Empty: type 2 is by projection, if it is to be.
+    std::string why_not_projected() const {
+        const bool may_be = options_.type2 == GatherMethod::projection || options_.type2 == GatherMethod::automatic;
+        if (!may_be) return "type 2 is not by projection";
         if (!plan_.types[index_of(PathType::type2)]) return why_dark(PathType::type2);
         if (!plan_.hair_tree) return "no hair";
         if (!plan_.sky && !plan_.polygon_gather) return "no light of type 2 comes through the hair";
         return "";
     }
 
+    ProjectionDetail projection_detail() const {
+        const ProjectionDetail asked = options_.projection.detail;
+        if (asked != ProjectionDetail::automatic) return asked;
+        return scene_.segments.point.size() > kMostProjected ? ProjectionDetail::tree : ProjectionDetail::all;
+    }
+
     void list_projection() {
         plan_.sky = by(wanted_.by_ray, PathType::type2) && !plan_.environments.empty();
-        const std::string why_not = why_no_projection();
-        const bool projected = why_not.empty();
-        if (projected) plan_.projection = options_.projection.detail;
-        if (plan_.projection == ProjectionDetail::automatic)
-            plan_.projection =
-                scene_.segments.point.size() > kMostProjected ? ProjectionDetail::tree : ProjectionDetail::all;
-        decide(stage::kProjectedHair, projected, projected ? std::string(detail_reason(*plan_.projection)) : "",
-               why_not);
+        std::string why_not = why_not_projected();
+        const ProjectionDetail detail = projection_detail();
+        if (why_not.empty() && options_.type2 == GatherMethod::automatic) {
+            plan_.gather_cost = estimate_gather_cost(scene_, options_, detail,
+                                                     plan_.sky ? plan_.environments.size() : 0, plan_.polygon_gather);
+            if (!plan_.gather_cost->projection_pays()) why_not = "rays are faster" + gather_estimate();
+        }
+        if (why_not.empty()) plan_.projection = detail;
+        decide(stage::kProjectedHair, why_not.empty(), detail_reason(detail), why_not);
+    }
+
+    /// ": an estimated 12 core seconds by rays, 3 by projection and 2 to prepare it"; empty: nothing was estimated.
+    std::string gather_estimate() const {
+        if (!plan_.gather_cost) return "";
+        const GatherCost& cost = *plan_.gather_cost;
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      ": an estimated %.1f core seconds by rays, %.1f by projection and %.1f to prepare it", cost.rays,
+                      cost.projection, cost.build);
+        return text;
     }
 
     static const char* detail_reason(ProjectionDetail detail) {
@@ -268,7 +287,8 @@ private:
         if (plan_.projection)
             build(stage::kProjection, counted(size_t(options_.projection.cells), "cell") + " a hemisphere, " +
                                           counted(size_t(options_.projection.directions), "direction") +
-                                          (plan_.mesh_tree ? "; polygons as probes between points see them" : ""));
+                                          (plan_.mesh_tree ? "; polygons as probes between points see them" : "") +
+                                          gather_estimate());
         if (plan_.sky && !plan_.projection)
             build(stage::kSky, counted(plan_.environments.size(), "environment") + ", by shadow rays through the hair");
         if (plan_.gather_rays()) {

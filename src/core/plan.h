@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/gather_cost.h"
 #include "core/lamp_cost.h"
 #include "core/options.h"
 #include "core/path_type.h"
@@ -39,6 +40,7 @@ struct Plan {
     std::optional<MapKind> lamp_maps, crossing_maps;  // that types 1 and 3 ask; none: shadow rays
     std::optional<LampCost> lamp_cost;                // by which type 1 was chosen, where it is auto
 
+    std::optional<GatherCost> gather_cost;       // by which type 2 was chosen, where it is auto
     std::optional<ProjectionDetail> projection;  // type 2: what of the hair is projected; none: rays
 
     bool gather_rays() const { return (polygon_gather && !projection) || crossing_gather; }

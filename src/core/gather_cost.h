@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What Type 2 will cost by rays and by projection, told from the scene and the options before anything is built: how
+// `type2: auto` chooses.
+#pragma once
+
+#include "core/options.h"
+#include "core/scene.h"
+
+namespace tress {
+
+/// Seconds of one core. Good to a factor of two or three: docs/projection.md has estimates beside what was measured.
+struct GatherCost {
+    double rays = 0;        // type 2 by gather.rays
+    double projection = 0;  // by projection, and
+    double build = 0;       // what must be made for it
+
+    bool projection_pays() const { return build + projection < rays; }
+};
+
+/// `detail` is not automatic. `skies`: environments that shine; `polygons`: whether light comes from polygons.
+GatherCost estimate_gather_cost(const Scene& scene, const Options& options, ProjectionDetail detail, size_t skies,
+                                bool polygons);
+
+}  // namespace tress

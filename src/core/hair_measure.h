@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// How much hair there is and how much of the picture it fills: what estimates of cost are made from.
+#pragma once
+
+#include "core/options.h"
+#include "core/scene.h"
+#include "core/segments.h"
+
+namespace tress {
+
+/// Share of a body's outline that one of even shape shows on average: pi / 4.
+inline constexpr double kMeanShadow = 0.78539816339744830962;
+
+struct HairMeasure {
+    Bounds bounds;
+    double length = 0, area = 0;  // of all axes; of all ribbons: length times width
+};
+
+HairMeasure measure_hair(const SegmentView& hair);
+
+/// Share of the picture that a box covers, by the rectangle about its corners; 1 where the eye is in it or next to it.
+double share_of_picture(const Camera& camera, const Bounds& box);
+
+/// Fibers that a ray from a seen point crosses, on average, until it is out of the hair or counts as blocked.
+double crossings_of_ray(const Scene& scene, const Options& options, const HairMeasure& hair);
+
+/// Samples a pixel; with a limit of time, those that fit in it at `seconds` of one core each.
+double samples_in_time(const Options& options, double seconds);
+
+}  // namespace tress
