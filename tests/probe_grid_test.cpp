@@ -45,7 +45,7 @@ TEST_CASE("cubes that share a corner know it by one key, and other corners by ot
         const ProbeCube cube = cube_at(grid, place_in(kHair, i));
         for (int corner = 0; corner < 8; ++corner) {
             const auto [known, added] = corners.emplace(cube.key(corner), cube.corner(corner));
-            CHECK(length(known->second - cube.corner(corner)) < 1e-4f);
+            CHECK(known->second == cube.corner(corner));
         }
     }
     CHECK(corners.size() > 500);
@@ -54,6 +54,6 @@ TEST_CASE("cubes that share a corner know it by one key, and other corners by ot
 TEST_CASE("hair without extent has a grid") {
     const Vec3 point(1, 2, 3);
     const ProbeCube cube = cube_at(make_probe_grid({point, point}, 16), point);
-    CHECK(cube.size == 1);
+    CHECK(cube.grid.size == 1);
     CHECK(cube.weight(0) > 0);
 }

@@ -24,10 +24,8 @@ float ProbeCube::weight(int i) const {
 }
 
 ProbeCube cube_at(const ProbeGrid& grid, const Vec3& place) {
-    const Vec3 sides = (place - grid.origin) / grid.size, whole = floor(sides);
-    return {int32_t(whole.x), int32_t(whole.y),
-            int32_t(whole.z), grid.origin + grid.size * whole,
-            grid.size,        clamp(sides - whole, Vec3(0), Vec3(1))};
+    const Vec3 cubes = (place - grid.origin) / grid.size, whole = floor(cubes);
+    return {grid, int32_t(whole.x), int32_t(whole.y), int32_t(whole.z), clamp(cubes - whole, Vec3(0), Vec3(1))};
 }
 
 }  // namespace tress

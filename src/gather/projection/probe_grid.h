@@ -18,13 +18,14 @@ ProbeGrid make_probe_grid(const Bounds& hair, int across);
 
 /// The cube that a place is in.
 struct ProbeCube {
+    ProbeGrid grid;
     int32_t x, y, z;  // of the low corner, in cubes from the origin
-    Vec3 low;         // corner
-    float size;
-    Vec3 place;  // in the cube, [0, 1]
+    Vec3 place;       // in the cube, [0, 1]
 
-    /// Of corners 0 to 7, one bit an axis.
-    Vec3 corner(int i) const { return low + size * Vec3(i & 1, i >> 1 & 1, i >> 2); }
+    /// Of corners 0 to 7, one bit an axis; to the bit the same in all cubes that share it.
+    Vec3 corner(int i) const {
+        return grid.origin + grid.size * Vec3(float(x + (i & 1)), float(y + (i >> 1 & 1)), float(z + (i >> 2)));
+    }
     /// Of the corner, the same in all cubes that share it.
     uint64_t key(int i) const;
     /// Of trilinear interpolation at the place.

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gather/projection/light_through_cells.h"
-#include "gather/projection/probe_of_point.h"
+#include "gather/projection/probes_of_points.h"
 
 namespace tress {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gather/projection/probe_of_point.h"
+#include "gather/projection/probes_of_points.h"
 
 #include "accel/queries.h"
 #include "core/rng.h"
@@ -42,7 +42,7 @@ void ProbesOfPoints::find(const Scene& scene, const PreparedScene& prepared, con
                                  hash(hash(samplers[i].key, samplers[i].index), kChoice)});
     while (!searches_.empty()) {
         rays_.clear();
-        hidden_.clear();
+        tried_.clear();
         for (Search& s : searches_) {
             const ShadingPoint& point = points[s.point];
             s.corner = draw_corner(s.cube, s.passed_over, random(s.key, s.passed_over));
@@ -52,13 +52,13 @@ void ProbesOfPoints::find(const Scene& scene, const PreparedScene& prepared, con
                 continue;
             }
             rays_.add(point.position, s.cube.corner(s.corner) - point.position, 1, Excluded{});
-            hidden_.push_back(s);
+            tried_.push_back(s);
         }
         occluded_.assign(rays_.size(), 0);
         occluded_triangle(prepared.mesh, rays_.for_mesh(), occluded_, options.isa);
         searches_.clear();
-        for (size_t ray = 0; ray < hidden_.size(); ++ray) {
-            Search& s = hidden_[ray];
+        for (size_t ray = 0; ray < tried_.size(); ++ray) {
+            Search& s = tried_[ray];
             if (occluded_[ray]) {
                 s.passed_over |= 1u << s.corner;
                 searches_.push_back(s);

@@ -32,7 +32,7 @@ private:
 
     std::vector<const LightProbe*> probe_;
     std::deque<LightProbe> own_;
-    std::vector<Search> searches_, hidden_;
+    std::vector<Search> searches_, tried_;
     RayBuffer rays_;
     std::vector<uint8_t> occluded_;
 };
