@@ -133,6 +133,16 @@ TEST_CASE("maps of shadows are options like others, and auto says what it expect
         check_refused(run_tress({"plan", scene, "--set", bad}));
 }
 
+TEST_CASE("type2 auto says what it expected and what it took") {
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene);
+    const CommandResult r =
+        run_tress({"render", scene, "-o", folder.file("a.exr"), "--type2", "auto", "--stats", folder.file("a.json")});
+    REQUIRE(r.exit_code == 0);
+    CHECK(r.error.find("type 2: by rays, estimated") != std::string::npos);
+    CHECK(nlohmann::json::parse(read_bytes(folder.file("a.json")))["type2_estimate"].is_object());
+}
+
 TEST_CASE("show sets layers and sums of layers side by side") {
     const Folder folder;
     const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene), exr = folder.file("a.exr");

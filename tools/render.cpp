@@ -92,7 +92,7 @@ double core_seconds(const RenderStats& stats, const char* name) {
 }
 
 /// What `type1: auto` expected, beside what it took.
-void print_estimate(const RenderStats& stats, const Plan& plan) {
+void print_lamp_estimate(const RenderStats& stats, const Plan& plan) {
     const LampCost& cost = *plan.lamp_cost;
     const char* maps = stage::kShadowMaps[int(MapKind::deep)];
     if (plan.lamp_maps && cost.build == 0)
@@ -106,10 +106,23 @@ void print_estimate(const RenderStats& stats, const Plan& plan) {
                      core_seconds(stats, stage::kType1));
 }
 
+/// What `type2: auto` expected, beside what it took. Gather rays are type 3's too, and in neither figure.
+void print_gather_estimate(const RenderStats& stats, const Plan& plan) {
+    const GatherCost& cost = *plan.gather_cost;
+    if (plan.projection)
+        std::fprintf(stderr,
+                     "type 2: by projection, estimated %.1f core seconds and %.1f to prepare it, took %.1f and %.1f\n",
+                     cost.projection, cost.build, core_seconds(stats, stage::kProjection),
+                     core_seconds(stats, stage::kProjectedHair));
+    else
+        std::fprintf(stderr, "type 2: by rays, estimated %.1f core seconds, took %.1f\n", cost.rays,
+                     core_seconds(stats, stage::kSky) + core_seconds(stats, stage::kPolygonGather));
+}
+
 void print(const ProjectionReport& report) {
     if (report.error.points == 0) return;
     std::fprintf(stderr,
-                 "projection: transmittance about %d points of hair is off by %.2f %% (rms; mean %+.2f %%), gap %.2f\n",
+                 "projection: light of type 2 at %d points of hair is off by %.2f %% (rms; mean %+.2f %%), gap %.2f\n",
                  report.error.points, 100 * report.error.rms, 100 * report.error.bias, double(report.gap));
 }
 
@@ -141,13 +154,15 @@ void run(const RenderArguments& arguments) {
     stats.types_on_hair = type_shares(state.film, ShareOf::hair);
     stats.photons = prepared.photon_statistics;
     stats.lamp_cost = plan.lamp_cost;
+    stats.gather_cost = plan.gather_cost;
     if (plan.projection) stats.projection = {prepared.projection.options.gap, prepared.projection.error};
     stats.threads = threads;
     if (!arguments.quiet) {
         for (const std::string& line : photon_lines(stats.photons, scene)) std::fprintf(stderr, "%s\n", line.c_str());
         print("light", stats.types);
         print("light on hair", stats.types_on_hair);
-        if (plan.lamp_cost) print_estimate(stats, plan);
+        if (plan.lamp_cost) print_lamp_estimate(stats, plan);
+        if (plan.gather_cost) print_gather_estimate(stats, plan);
         if (stats.projection) print(*stats.projection);
     }
     stats.spp = state.samples;

@@ -23,6 +23,12 @@ nlohmann::ordered_json to_json(const LampCost& cost) {
     return {{"core_seconds_rays", cost.rays}, {"core_seconds_maps", cost.maps}, {"core_seconds_build", cost.build}};
 }
 
+nlohmann::ordered_json to_json(const GatherCost& cost) {
+    return {{"core_seconds_rays", cost.rays},
+            {"core_seconds_projection", cost.projection},
+            {"core_seconds_build", cost.build}};
+}
+
 nlohmann::ordered_json to_json(const ProjectionReport& report) {
     return {{"gap", report.gap},
             {"points", report.error.points},
@@ -53,6 +59,7 @@ nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
             {"stages", stages},
             {"left_out", left_out},
             {"type1_estimate", stats.lamp_cost ? to_json(*stats.lamp_cost) : nlohmann::ordered_json()},
+            {"type2_estimate", stats.gather_cost ? to_json(*stats.gather_cost) : nlohmann::ordered_json()},
             {"types", to_json(stats.types)},
             {"types_on_hair", to_json(stats.types_on_hair)},
             {"photons", stats.photons.lights.empty() ? Json() : to_json(stats.photons)},

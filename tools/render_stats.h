@@ -23,7 +23,8 @@ struct RenderStats {
     double load_seconds = 0, build_seconds = 0, render_seconds = 0, total_seconds = 0;
     std::vector<StageCost> stages;
     std::vector<PlanItem> left_out;
-    std::optional<LampCost> lamp_cost;  // as estimated
+    std::optional<LampCost> lamp_cost;      // as estimated
+    std::optional<GatherCost> gather_cost;  // likewise
     std::vector<TypeShare> types, types_on_hair;
     PhotonStatistics photons;
     std::optional<ProjectionReport> projection;

@@ -17,8 +17,8 @@ constexpr double kShareOfLine = 0.5;
 /// the hair is taken for an ellipsoid.
 double crossings_of_line(const HairMeasure& hair) {
     const DVec3 e(hair.bounds.extent());
-    const double shadow = kMeanShadow * (e.x * e.y + e.y * e.z + e.z * e.x) / 3;
-    return shadow > 0 ? kMeanShadow * hair.area / shadow : 0;
+    const double shadow = kQuarterPi * (e.x * e.y + e.y * e.z + e.z * e.x) / 3;
+    return shadow > 0 ? kQuarterPi * hair.area / shadow : 0;
 }
 
 /// After how many fibers a ray counts as blocked.
@@ -59,7 +59,7 @@ double share_of_picture(const Camera& camera, const Bounds& box) {
     low = max(low, glm::dvec2(-1));
     high = min(high, glm::dvec2(1));
     const glm::dvec2 size = max(high - low, glm::dvec2(0));
-    return 0.25 * size.x * size.y * kMeanShadow;  // hair is rounder than its box
+    return 0.25 * size.x * size.y * kQuarterPi;  // hair is rounder than its box
 }
 
 double crossings_of_ray(const Scene& scene, const Options& options, const HairMeasure& hair) {

@@ -8,8 +8,8 @@
 
 namespace tress {
 
-/// Share of a body's outline that one of even shape shows on average: pi / 4.
-inline constexpr double kMeanShadow = 0.78539816339744830962;
+/// pi / 4: the mean sine of random directions to an axis, and the share of a rectangle that its ellipse fills.
+inline constexpr double kQuarterPi = 0.78539816339744830962;
 
 struct HairMeasure {
     Bounds bounds;

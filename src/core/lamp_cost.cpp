@@ -34,7 +34,7 @@ LampCost estimate_lamp_cost(const Scene& scene, const Options& options, std::spa
     const SampleCost sample = cost_of_sample(scene, options, hair, lamps.size());
     const double spp = samples_in_time(options, sample.rays);
     const double texel = double(max_component(hair.bounds.extent())) / options.maps.resolution;
-    const double fragments = texel > 0 ? hair.length * kMeanShadow / texel : 0;
+    const double fragments = texel > 0 ? hair.length * kQuarterPi / texel : 0;
     LampCost cost{spp * sample.rays, spp * sample.maps, 0};
     for (const uint32_t lamp : lamps)
         cost.build += double(view_count(scene.lights[lamp], options.maps.grid)) *

@@ -13,7 +13,7 @@
 
 namespace tress {
 
-/// Of the mean transmittance about points of hair that the eye sees, against rays, relative to its mean.
+/// Of light of type 2 that leaves points of hair for the eye, against rays, relative to its mean.
 struct ProjectionError {
     double rms = 0, bias = 0;
     int points = 0;  // 0: no hair is seen, nothing is known

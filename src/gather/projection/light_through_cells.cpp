@@ -7,6 +7,7 @@ namespace tress {
 
 Rgb LightThroughCells::operator()(const PreparedScene& prepared, const ShadingPoint& point, const LightProbe* probe,
                                   std::span<const SeenLight> seen, uint64_t key, Isa isa) {
+    if (seen.empty()) return Rgb(0);
     const HairProjection& hair = prepared.projection;
     Viewpoint from = viewpoint_of(point, key);
     if (probe) {

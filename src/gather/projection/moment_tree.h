@@ -49,8 +49,7 @@ struct MomentTreeOptions {
     float least_size = 0;  // unless its sides are this short
 };
 
-/// The same tree for any number of
-/// threads.
+/// The same tree for any number of threads.
 MomentTree make_moment_tree(const SegmentView& segments, const HairOpacity& opacity, const MomentTreeOptions& options);
 
 size_t bytes(const MomentTree& tree);

@@ -30,11 +30,13 @@ void SeenLightByRays::operator()(const Scene& scene, const PreparedScene& prepar
                                  std::span<const DrawnDirection> directions, std::vector<SeenLight>& to) {
     to.clear();
     const size_t n = directions.size();
-    rays_.clear();
-    for (const DrawnDirection& d : directions) rays_.add(point.position, d.direction, kInfinity, point.excluded);
     for (auto* floats : {&t_, &u_, &v_}) floats->assign(n, kInfinity);
     polygon_.assign(n, kNone);
-    if (!prepared.mesh.empty()) nearest_triangle(prepared.mesh, rays_.for_mesh(), {t_, polygon_, u_, v_}, options.isa);
+    if (!prepared.mesh.empty()) {
+        rays_.clear();
+        for (const DrawnDirection& d : directions) rays_.add(point.position, d.direction, kInfinity, point.excluded);
+        nearest_triangle(prepared.mesh, rays_.for_mesh(), {t_, polygon_, u_, v_}, options.isa);
+    }
     for (size_t i = 0; i < n; ++i) {
         const DrawnDirection& d = directions[i];
         if (polygon_[i] == kNone) {
