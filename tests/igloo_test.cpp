@@ -122,6 +122,22 @@ TEST_CASE("directions in a cell are of unit length and are found in it again") {
 }
 
 // Chi-square of k degrees of freedom has the mean k and the variance 2 k: 5 standard deviations.
+TEST_CASE("a cell's samples are in it, and no direction in it is farther from its middle than cells reach") {
+    for (const uint32_t cells : {4u, 64u, 1000u}) {
+        const Igloo igloo = make_igloo(cells);
+        REQUIRE(igloo.sample_x.size() == Igloo::kSamples * size_t(cells));
+        for (uint32_t cell = 0; cell < cells; ++cell) {
+            const Vec3 middle(igloo.center_x[cell], igloo.center_y[cell], igloo.center_z[cell]);
+            for (size_t i = Igloo::kSamples * cell; i < Igloo::kSamples * (cell + 1); ++i)
+                REQUIRE(cell_of(igloo, {igloo.sample_x[i], igloo.sample_y[i], igloo.sample_z[i]}) == cell);
+            for (uint64_t i = 0; i < 20; ++i) {
+                const Vec3 w = direction_in(igloo, cell, {tress::random(i, 0), tress::random(i, 1)});
+                CHECK(dot(w, middle) >= std::cos(igloo.cell_radius) - 1e-5f);
+            }
+        }
+    }
+}
+
 TEST_CASE("directions drawn uniformly fall into all cells alike") {
     for (const uint32_t cells : kCells) {
         CAPTURE(cells);

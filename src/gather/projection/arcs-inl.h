@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pieces of hair next to a point, drawn along the arcs that they are seen as: in steps that are small in a cell, and
-// across too where they are wide.
+// Pieces of hair next to a point, drawn along the arcs that they are seen as, in steps that are small in a cell; wide
+// ones cell by cell (wide_fiber-inl.h).
 #if defined(TRESS_GATHER_PROJECTION_ARCS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRESS_GATHER_PROJECTION_ARCS_INL_H
 #undef TRESS_GATHER_PROJECTION_ARCS_INL_H
@@ -12,15 +12,14 @@
 #include <cmath>
 
 #include "gather/projection/add_splats-inl.h"
-#include "gather/projection/projection_scratch.h"
+#include "gather/projection/wide_fiber-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
 inline constexpr float kArcStep = 0.5f;      // of a cell's size, along an arc
-inline constexpr float kWideStep = 0.2f;     // along and across wide pieces, whose rims show
-inline constexpr float kWideShare = 0.45f;   // of a cell's size: wider pieces are cut across too
+inline constexpr float kWideShare = 0.45f;   // of a cell's size: wider pieces are drawn cell by cell
 inline constexpr float kMostArcSteps = 512;  // in half a turn, however small the cells
 
 /// Signed inclination of the vector with components `across` >= 0 and `along`.
@@ -85,9 +84,7 @@ HWY_INLINE void draw_arc(const ArcRow& arc, Splats& to) {
         if (arc.taper != 0) {
             const FloatVec s = hn::Clamp(set(arc.foot) * sin_psi * inverse_cos - set(arc.along), zero, set(arc.length));
             const FloatVec in_means = one + set(arc.taper) * (s - set(0.5f * arc.length));
-            covered = arc.least_radius > 0
-                          ? hn::IfThenElseZero(in_means * set(arc.radius) >= set(arc.least_radius), covered)
-                          : covered * in_means;
+            covered = covered * in_means;
         }
         const FloatVec row = cos_psi * set(float(kOpacityRows - 1)) + set(0.5f);
         const FloatVec distance = set(arc.foot) * inverse_cos;
@@ -112,66 +109,6 @@ inline ArcRow arc_of(const PieceList& pieces, const Arcs& arcs, size_t i) {
     row.first_opacity_row = pieces.kind[i] * kOpacityRows;
     row.segment = pieces.segment[i];
     return row;
-}
-
-/// Adds what the splats absorb to the sums of one fiber, and empties them.
-inline void absorb(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, Splats& splats,
-                   WideFiber& to) {
-    find_cells(igloo, from, splats);
-    for (size_t i = 0; i < splats.size; ++i) {
-        const float coverage = splats.coverage[i];
-        if (!(coverage > 0)) continue;
-        const uint32_t cell = uint32_t(splats.cell[i]);
-        Rgbx& sum = to.absorbed[cell];
-        if (sum.c[3] == 0) to.touched.push_back(cell);
-        const Rgbx& o = opacity.row[size_t(splats.opacity_row[i])];
-        for (int c = 0; c < 3; ++c) sum.c[c] += coverage * o.c[c];
-        sum.c[3] = 1;
-    }
-    splats.size = 0;
-}
-
-inline void add_absorbed(float& cell, const Rgbx& share) {
-    cell += std::min(-std::log1p(-std::min(share.c[0], 1.0f)), kOpaqueDepth);
-}
-inline void add_absorbed(Rgbx& cell, const Rgbx& share) {
-    for (int c = 0; c < 3; ++c) cell.c[c] += std::min(-std::log1p(-std::min(share.c[c], 1.0f)), kOpaqueDepth);
-}
-
-/// What one fiber absorbs in each cell becomes depth.
-template <class Depth>
-void add_fiber(WideFiber& fiber, CellDepths<Depth>& to) {
-    for (const uint32_t cell : fiber.touched) {
-        add_absorbed(to.depth[cell], fiber.absorbed[cell]);
-        fiber.absorbed[cell] = {};
-    }
-    fiber.touched.clear();
-}
-
-/// A piece that is wide in a cell: rows of arcs side by side across it, each cut where the piece's ends are seen there.
-inline void draw_wide(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ArcRow arc, Splats& splats,
-                      WideFiber& wide) {
-    const float largest = arc.radius * (1 + 0.5f * std::abs(arc.taper) * arc.length);
-    const float half_width = std::asin(std::min(largest / arc.foot, 1.0f));
-    const float step = kWideStep * igloo.cell_size();
-    const size_t rows = size_t(std::min(std::ceil(2 * half_width / step), kMostArcSteps));
-    const Vec3 normal = arc.normal, across = cross(arc.axis, normal);
-    const float foot = arc.foot;
-    arc.width = 2 * half_width / float(rows);
-    for (size_t j = 0; j < rows; ++j) {
-        const float phi = -half_width + (float(j) + 0.5f) * arc.width;
-        arc.normal = std::cos(phi) * normal + std::sin(phi) * across;
-        arc.foot = foot * std::cos(phi);
-        arc.least_radius = foot * std::abs(std::sin(phi));
-        arc.psi = std::atan2(arc.along, arc.foot);
-        const float span = std::max(std::atan2(arc.along + arc.length, arc.foot) - arc.psi, 0.0f);
-        arc.steps = size_t(std::clamp(std::ceil(span / step), 1.0f, kMostArcSteps));
-        arc.step = span / float(arc.steps);
-        arc.solid = arc.width * 2 * std::sin(0.5f * arc.step);
-        if (!splats.has_room(arc.steps)) absorb(igloo, from, opacity, splats, wide);
-        draw_arc(arc, splats);
-    }
-    absorb(igloo, from, opacity, splats, wide);
 }
 
 /// Draws scratch.pieces and empties the list; wide ones are kept for finish_pieces.
@@ -200,11 +137,18 @@ void finish_pieces(const Igloo& igloo, const Viewpoint& from, const HairOpacity&
     draw_pieces(igloo, from, opacity, scratch, to);
     add_splats(igloo, from, opacity, scratch.splats, to);
     std::vector<ArcRow>& arcs = scratch.wide_arcs;
-    std::stable_sort(arcs.begin(), arcs.end(), [](const ArcRow& a, const ArcRow& b) { return a.segment < b.segment; });
+    std::sort(arcs.begin(), arcs.end(), [](const ArcRow& a, const ArcRow& b) {
+        return a.segment != b.segment ? a.segment < b.segment : a.along < b.along;
+    });
     scratch.wide.absorbed.resize(to.cells);
-    for (size_t i = 0; i < arcs.size(); ++i) {
-        draw_wide(igloo, from, opacity, arcs[i], scratch.wide_splats, scratch.wide);
-        if (i + 1 == arcs.size() || arcs[i + 1].segment != arcs[i].segment) add_fiber(scratch.wide, to);
+    const ArcRow* const end = arcs.data() + arcs.size();
+    for (const ArcRow *arc = arcs.data(), *next = arc; arc != end; arc = next) {
+        next = std::find_if(arc, end, [&](const ArcRow& other) { return other.segment != arc->segment; });
+        for (const ArcRow *run = arc, *past = run; run != next; run = past) {
+            past = end_of_run(run, next);
+            cover(igloo, from, opacity, joined(run, past), scratch.wide);
+        }
+        add_fiber(scratch.wide, to);
     }
     arcs.clear();
 }

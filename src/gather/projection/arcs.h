@@ -31,15 +31,14 @@ struct Arcs {
     }
 };
 
-/// One arc to be drawn: steps i of inclination psi + (i + 1/2) step, in the half plane of `normal` about `axis`.
+/// One arc to be drawn: steps i of inclination psi + (i + 1/2) step, about the foot that `normal` points to.
 struct ArcRow {
     Vec3 axis, normal;
-    float foot, along, length;  // of the half plane: foot is p cos(phi)
+    float foot, along, length;
     float psi, step;
     size_t steps;
-    float width, solid;      // as in Arcs
-    float radius, taper;     // mean; change along the axis, over the mean
-    float least_radius = 0;  // steps whose radius is smaller are not covered; 0: steps are as wide as their radius says
+    float width, solid;   // as in Arcs
+    float radius, taper;  // mean; change along the axis, over the mean
     int32_t first_opacity_row;
     uint32_t segment;  // that the arc is a part of
 };

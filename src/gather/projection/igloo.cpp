@@ -74,6 +74,24 @@ void find_centers(Igloo& igloo) {
     }
 }
 
+void find_samples(Igloo& igloo) {
+    for (auto* row : {&igloo.sample_x, &igloo.sample_y, &igloo.sample_z}) row->clear();
+    float least_cosine = 1;
+    for (uint32_t cell = 0; cell < igloo.cells; ++cell) {
+        const Vec3 middle(igloo.center_x[cell], igloo.center_y[cell], igloo.center_z[cell]);
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j) {
+                const Vec2 u((float(4 * i + j) + 0.5f) / 16, (float(4 * j + i) + 0.5f) / 16);
+                const Vec3 sample = direction_in(igloo, cell, u);
+                igloo.sample_x.push_back(sample.x), igloo.sample_y.push_back(sample.y);
+                igloo.sample_z.push_back(sample.z);
+            }
+        for (const Vec2& corner : {Vec2(0, 0), Vec2(0, 1), Vec2(1, 0), Vec2(1, 1)})
+            least_cosine = std::min(least_cosine, dot(middle, direction_in(igloo, cell, corner)));
+    }
+    igloo.cell_radius = std::acos(std::clamp(least_cosine, -1.0f, 1.0f));
+}
+
 }  // namespace
 
 Igloo make_igloo(uint32_t cells) {
@@ -87,6 +105,7 @@ Igloo make_igloo(uint32_t cells) {
     }
     find_neighbors(igloo);
     find_centers(igloo);
+    find_samples(igloo);
     return igloo;
 }
 

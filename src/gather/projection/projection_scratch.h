@@ -2,6 +2,7 @@
 // Arrays that projection keeps between points: one set a thread.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "gather/projection/arcs.h"
@@ -17,6 +18,8 @@ namespace tress {
 struct WideFiber {
     std::vector<Rgbx> absorbed;     // share of each cell's light, one a cell of the sphere; 0 outside the list
     std::vector<uint32_t> touched;  // cells
+    std::vector<std::pair<uint32_t, uint32_t>>
+        covered;  // by the piece being drawn: a cell, and how many of its samples
 };
 
 /// A segment that stands for `weight` like it.
@@ -28,7 +31,7 @@ struct ChosenSegment {
 struct ProjectionScratch {
     std::vector<ChosenSegment> chosen;  // by layers of distance
     ProjectedSegments chosen_rows = make_rows(ProjectedSegments::kStreams);
-    Splats splats, wide_splats, cube_splats;
+    Splats splats, cube_splats;
     PieceList pieces;
     Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
     std::vector<ArcRow> wide_arcs;  // of the point, in the order of the pieces

@@ -59,6 +59,24 @@ HWY_INLINE FloatVec exp_minus(FloatVec x) {
     return hn::IfThenElseZero(x < set(86.0f), mantissa * hn::BitCast(Floats(), exponent));
 }
 
+/// -log(1 - x) for x in [0, 1), within 3e-7 of itself: 2 artanh((1 - m) / (1 + m)) of the mantissa m in [1 / sqrt(2),
+/// sqrt(2)) of 1 - x, and its exponent.
+template <class D>
+HWY_INLINE hn::Vec<D> minus_log_of_rest(D d, hn::Vec<D> x) {
+    const hn::RebindToSigned<D> di;
+    using Ints = decltype(di);
+    const hn::Vec<D> one = hn::Set(d, 1.0f);
+    const auto bits = hn::BitCast(di, one - x), root_half = hn::Set(di, 0x3f3504f3);
+    const hn::Vec<Ints> exponent = hn::ShiftRight<23>(bits - root_half);
+    const hn::Vec<D> mantissa = hn::BitCast(d, bits - hn::ShiftLeft<23>(exponent));
+    const auto whole = hn::RebindMask(d, exponent == hn::Zero(di));
+    const hn::Vec<D> t = hn::IfThenElse(whole, x, one - mantissa) / (one + mantissa), s = t * t;
+    const hn::Vec<D> series =
+        one +
+        s * (hn::Set(d, 1 / 3.0f) + s * (hn::Set(d, 1 / 5.0f) + s * (hn::Set(d, 1 / 7.0f) + s * hn::Set(d, 1 / 9.0f))));
+    return hn::Set(d, 2.0f) * t * series - hn::Set(d, 0.69314718f) * hn::ConvertTo(d, exponent);
+}
+
 /// Azimuth of (x, y) in turns, as turn_of of igloo.h.
 HWY_INLINE FloatVec turn_of(FloatVec x, FloatVec y) {
     const FloatVec zero = hn::Zero(Floats());
