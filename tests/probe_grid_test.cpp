@@ -20,8 +20,8 @@ Vec3 place_in(const Bounds& box, uint64_t i) {
 }  // namespace
 
 TEST_CASE("corners interpolate their own positions to the place") {
-    const ProbeGrid grid = make_probe_grid(kHair, 16);
-    CHECK(grid.size == 0.5f);
+    const ProbeGrid grid = make_probe_grid(hair_cube(kHair), 16);
+    CHECK(grid.size == 8 * 1.02f / 16);
     for (uint64_t i = 0; i < 1000; ++i) {
         const Vec3 place = place_in(kHair, i);
         const ProbeCube cube = cube_at(grid, place);
@@ -39,7 +39,7 @@ TEST_CASE("corners interpolate their own positions to the place") {
 }
 
 TEST_CASE("cubes that share a corner know it by one key, and other corners by others") {
-    const ProbeGrid grid = make_probe_grid(kHair, 16);
+    const ProbeGrid grid = make_probe_grid(hair_cube(kHair), 16);
     std::map<uint64_t, Vec3> corners;
     for (uint64_t i = 0; i < 1000; ++i) {
         const ProbeCube cube = cube_at(grid, place_in(kHair, i));
@@ -53,7 +53,7 @@ TEST_CASE("cubes that share a corner know it by one key, and other corners by ot
 
 TEST_CASE("hair without extent has a grid") {
     const Vec3 point(1, 2, 3);
-    const ProbeCube cube = cube_at(make_probe_grid({point, point}, 16), point);
+    const ProbeCube cube = cube_at(make_probe_grid(hair_cube({point, point}), 16), point);
     CHECK(cube.grid.size == 1);
     CHECK(cube.weight(0) > 0);
 }

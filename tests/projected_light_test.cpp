@@ -72,6 +72,47 @@ TEST_CASE("pictures by projection do not depend on threads or instruction sets")
     CHECK(same_pixels(render(scene, options), first));
 }
 
+TEST_CASE("light through far hair that points share is light by rays, on every instruction set and thread alike") {
+    for (const bool wall : {false, true}) {
+        CAPTURE(wall);
+        const Scene scene = hair_before_wall(wall, Rgb(1, 0.9f, 0.8f));
+        Options options = type2_by(GatherMethod::projection);
+        options.projection.far_field = FarField::on;
+        options.projection.probes = 32;
+        const Rendered first = render(scene, options);
+        REQUIRE(first.prepared.probes);
+        CHECK(first.prepared.probes->bytes() > 0);
+        const TypeShare rays = type2_of(render(scene, type2_by(GatherMethod::ray))), cells = type2_of(first);
+        CHECK(std::abs(cells.mean - rays.mean) < 3 * std::hypot(rays.mean_error, cells.mean_error) + 0.01 * rays.mean);
+        options.isa = Isa::scalar;
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        CHECK(same_pixels(render(scene, options), first));
+    }
+}
+
+TEST_CASE("far hair is shared where asked for, or where enough points are expected between its corners") {
+    const Scene scene = hair_before_wall(false, Rgb(1));
+    Options options = type2_by(GatherMethod::projection);
+    const auto shared = [&] { return make_plan(scene, options).far_field; };
+    options.projection.cells = 1024;
+    options.projection.opening = 1;
+    options.spp = 1;
+    CHECK_FALSE(shared());
+    options.spp = 4096;
+    CHECK(shared());
+    options.projection.far_field = FarField::off;
+    CHECK_FALSE(shared());
+    CHECK_FALSE(prepare(scene, make_plan(scene, options), options).probes);
+    options.spp = 1;
+    options.projection.far_field = FarField::on;
+    CHECK(shared());
+    options.projection.detail = ProjectionDetail::all;
+    CHECK_FALSE(shared());
+    options.projection.detail = ProjectionDetail::tree;
+    options.type2 = GatherMethod::ray;
+    CHECK_FALSE(shared());
+}
+
 TEST_CASE("hair is made ready for projection only where type 2 asks for it") {
     const Scene scene = hair_before_wall(true, Rgb(1));
     const auto planned = [&](const Options& options) { return make_plan(scene, options).projection; };

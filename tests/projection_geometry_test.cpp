@@ -12,7 +12,7 @@ constexpr ProjectionDetail kDetails[] = {ProjectionDetail::all, ProjectionDetail
 constexpr Dome kDomes[] = {Dome::sphere, Dome::hemisphere};
 
 struct PlacedCone {
-    const char* name;
+    std::string name;
     Cone cone;
 };
 
@@ -34,7 +34,10 @@ const PlacedCone kWide[] = {{"beside the pole", {{-1, 0.3f, 1}, {1, 0.2f, 0.8f},
 /// Half the sphere or nearly so is covered: its rim alone is a tenth of all cells.
 const PlacedCone kAround[] = {{"touching", {{-1, 0.0105f, 0}, {0.7f, 0.0105f, 0.001f}, 0.01f, 0.01f}},
                               {"inside", {{-1, 0.006f, 0}, {0.7f, 0.002f, 0.001f}, 0.01f, 0.01f}},
-                              {"close to the axis", {{-0.3f, 1e-5f, 0.2f}, {0.3f, 1e-5f, -0.2f}, 0.05f, 0.05f}}};
+                              {"close to the axis", {{-0.3f, 3e-4f, 0.2f}, {0.3f, 3e-4f, -0.2f}, 0.05f, 0.05f}}};
+/// The tree knows pieces to 2^-16 of their cubes, and so not on which side of this axis the point is.
+const PlacedCone kOnAxis = {"next to nothing from the axis",
+                            {{-0.3f, 1e-5f, 0.2f}, {0.3f, 1e-5f, -0.2f}, 0.05f, 0.05f}};
 
 /// Against the formula: the mean error of a cell, and the error of what is stopped in all, of itself.
 void check_cone(const PlacedCone& placed, ProjectionDetail detail, double most_error, double most_bias) {
@@ -108,6 +111,7 @@ TEST_CASE("a wide segment stops in each cell what the formula says") {
 TEST_CASE("a segment about the point or next to it stops in each cell what the formula says") {
     for (const ProjectionDetail detail : kDetails)
         for (const PlacedCone& placed : kAround) check_cone(placed, detail, 0.02, 0.02);
+    check_cone(kOnAxis, ProjectionDetail::all, 0.02, 0.02);
 }
 
 // The point lies off the segment's middle, where the tree cuts it: a part that ends at the point has no great circle.

@@ -24,8 +24,14 @@ double seconds_of_projection(const ProjectionOptions& o, ProjectionDetail detail
     }
 }
 
-/// Probes that points ask for: the corners of the cubes along a surface over the hair, some deep.
-double probes(const ProjectionOptions& o) { return 6 * square(double(o.probes)); }
+/// Corners of a grid over the hair that points ask for: those about the surface that the picture shows, and some deep.
+double corners(const Scene& scene, const HairMeasure& hair, double share, int across, double points) {
+    const double size = double(max_component(hair.bounds.extent())) / across;
+    const double shown = share * area_of_picture(scene.camera, hair.bounds) / square(size);
+    return std::min({8 * points, 6 * square(double(across)), 9 * shown});
+}
+
+constexpr double kMostFarBytes = 1 << 30;
 
 }  // namespace
 
@@ -35,21 +41,33 @@ GatherCost estimate_gather_cost(const Scene& scene, const Options& options, Proj
     const HairMeasure hair = measure_hair(segments);
     const ProjectionOptions& o = options.projection;
     const double pixels = double(scene.camera.width) * scene.camera.height;
+    const double share = share_of_picture(scene.camera, segments);
     const bool meshes = scene.mesh.triangles() > 0;
-    const double at_hair = pixels * share_of_picture(scene.camera, hair.bounds),
-                 elsewhere = meshes ? pixels - at_hair : 0;
+    const double at_hair = pixels * share, elsewhere = meshes ? pixels - at_hair : 0;
 
     const double ways = double(options.gather.rays) * (double(skies) + (polygons ? 1 : 0));
     const double through_hair = kShadeSeconds + kRaySeconds + crossings_of_ray(scene, options, hair) * kCrossingSeconds;
     const double rays = ways * (at_hair * through_hair + elsewhere * kPolygonRaySeconds);
-    const double cells =
-        at_hair * (seconds_of_projection(o, detail, double(segments.size())) + o.directions * kDirectionSeconds) +
-        elsewhere * o.rays * kPolygonRaySeconds;
     const double spp = samples_in_time(options, rays);
-    const double probe = 2.0 * o.probe_cells * kProbeRaySeconds;
-    return {spp * rays, spp * cells,
-            (detail == ProjectionDetail::tree ? double(segments.size()) * kTreeSegmentSeconds : 0) + kTrialSeconds +
-                (meshes ? std::min(probes(o), spp * at_hair) * probe : 0)};
+
+    const bool tree = detail == ProjectionDetail::tree;
+    const double whole = seconds_of_projection(o, detail, double(segments.size()));
+    const auto cost = [&](bool far_field) {
+        const double probes = corners(scene, hair, share, probes_across(o, far_field), spp * at_hair);
+        const double point = far_field ? kNearSeconds + kNearShare * whole : whole;
+        const double probe = (meshes ? 2.0 * o.probe_cells * kProbeRaySeconds : 0) + (far_field ? whole : 0);
+        return GatherCost{
+            spp * rays,
+            spp * (at_hair * (point + o.directions * kDirectionSeconds) + elsewhere * o.rays * kPolygonRaySeconds),
+            (tree ? double(segments.size()) * kTreeSegmentSeconds : 0) + kTrialSeconds + probes * probe, far_field};
+    };
+    const GatherCost alone = cost(false);
+    if (!tree || o.far_field == FarField::off) return alone;
+    const GatherCost shared = cost(true);
+    if (o.far_field == FarField::on) return shared;
+    const double probes = corners(scene, hair, share, probes_across(o, true), spp * at_hair);
+    const bool fits = probes * 2 * o.cells * kFarCellBytes * (meshes ? 2 : 1) < kMostFarBytes;
+    return fits && shared.build + shared.projection < alone.build + alone.projection ? shared : alone;
 }
 
 }  // namespace tress

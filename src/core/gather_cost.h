@@ -10,12 +10,18 @@ namespace tress {
 
 /// Seconds of one core. Good to a factor of two or three: docs/projection.md has estimates beside what was measured.
 struct GatherCost {
-    double rays = 0;        // type 2 by gather.rays
-    double projection = 0;  // by projection, and
-    double build = 0;       // what must be made for it
+    double rays = 0;         // type 2 by gather.rays
+    double projection = 0;   // by projection, and
+    double build = 0;        // what must be made for it
+    bool far_field = false;  // points share far hair: asked for, or estimated to pay
 
     bool projection_pays() const { return build + projection < rays; }
 };
+
+/// Cubes across the hair whose corners are probes.
+inline int probes_across(const ProjectionOptions& options, bool far_field) {
+    return options.probes > 0 ? options.probes : far_field ? 128 : 64;
+}
 
 /// `detail` is not automatic. `skies`: environments that shine; `polygons`: whether light comes from polygons.
 GatherCost estimate_gather_cost(const Scene& scene, const Options& options, ProjectionDetail detail, size_t skies,

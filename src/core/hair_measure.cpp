@@ -2,6 +2,7 @@
 #include "core/hair_measure.h"
 
 #include <algorithm>
+#include <bitset>
 #include <thread>
 
 #include "core/camera.h"
@@ -42,24 +43,28 @@ HairMeasure measure_hair(const SegmentView& hair) {
     return m;
 }
 
-double share_of_picture(const Camera& camera, const Bounds& box) {
+double share_of_picture(const Camera& camera, const SegmentView& hair) {
+    constexpr int kParts = 64;
+    constexpr size_t kMostAsked = 100'000;
     const CameraFrame frame = camera_frame(camera);
-    glm::dvec2 low(1), high(-1);
-    for (int corner = 0; corner < 8; ++corner) {
-        const DVec3 at(corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
-                       corner & 4 ? box.hi.z : box.lo.z);
-        const DVec3 from_eye = at - camera.from;
+    std::bitset<kParts * kParts> has_hair;
+    for (size_t i = 0; i < hair.size(); i += hair.size() / kMostAsked + 1) {
+        const DVec3 from_eye = 0.5 * (DVec3(hair.start(i)) + DVec3(hair.end(i))) - camera.from;
         const double depth = dot(from_eye, frame.forward) / dot(frame.forward, frame.forward);
-        if (!(depth > 0)) return 1;
-        const glm::dvec2 on_picture(dot(from_eye, frame.right) / dot(frame.right, frame.right) / depth,
-                                    dot(from_eye, frame.up) / dot(frame.up, frame.up) / depth);
-        low = min(low, on_picture);
-        high = max(high, on_picture);
+        if (!(depth > 0)) continue;
+        const double right = dot(from_eye, frame.right) / dot(frame.right, frame.right) / depth;
+        const double up = dot(from_eye, frame.up) / dot(frame.up, frame.up) / depth;
+        if (!(std::abs(right) < 1 && std::abs(up) < 1)) continue;
+        const auto part = [](double x) { return size_t(0.5 * (x + 1) * kParts); };
+        has_hair.set(part(up) * kParts + part(right));
     }
-    low = max(low, glm::dvec2(-1));
-    high = min(high, glm::dvec2(1));
-    const glm::dvec2 size = max(high - low, glm::dvec2(0));
-    return 0.25 * size.x * size.y * kQuarterPi;  // hair is rounder than its box
+    return double(has_hair.count()) / double(has_hair.size());
+}
+
+double area_of_picture(const Camera& camera, const Bounds& box) {
+    const CameraFrame frame = camera_frame(camera);
+    const double depth = dot(DVec3(box.center()) - camera.from, frame.forward) / dot(frame.forward, frame.forward);
+    return depth > 0 ? 4 * length(frame.right) * length(frame.up) * square(depth) : double(kInfinity);
 }
 
 double crossings_of_ray(const Scene& scene, const Options& options, const HairMeasure& hair) {

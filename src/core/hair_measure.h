@@ -18,8 +18,12 @@ struct HairMeasure {
 
 HairMeasure measure_hair(const SegmentView& hair);
 
-/// Share of the picture that a box covers, by the rectangle about its corners; 1 where the eye is in it or next to it.
-double share_of_picture(const Camera& camera, const Bounds& box);
+/// Share of the picture that has hair, whether something hides it or not: of its parts, 64 by 64, those that the middle
+/// of some segment is in.
+double share_of_picture(const Camera& camera, const SegmentView& hair);
+
+/// Area that the picture shows, square with the view, where the box's middle is; infinity where that is not ahead.
+double area_of_picture(const Camera& camera, const Bounds& box);
 
 /// Fibers that a ray from a seen point crosses, on average, until it is out of the hair or counts as blocked.
 double crossings_of_ray(const Scene& scene, const Options& options, const HairMeasure& hair);

@@ -12,9 +12,10 @@ struct SampleCost {
     double rays = 0, maps = 0;
 };
 
-SampleCost cost_of_sample(const Scene& scene, const Options& options, const HairMeasure& hair, size_t lamps) {
+SampleCost cost_of_sample(const Scene& scene, const Options& options, const SegmentView& segments,
+                          const HairMeasure& hair, size_t lamps) {
     const double pixels = double(scene.camera.width) * scene.camera.height;
-    const double share = share_of_picture(scene.camera, hair.bounds), others = scene.mesh.triangles() ? 1 - share : 0;
+    const double share = share_of_picture(scene.camera, segments), others = scene.mesh.triangles() ? 1 - share : 0;
     const double crossings = crossings_of_ray(scene, options, hair);
     const double either = (share + others) * kShadeSeconds;
     const double ways = pixels * double(lamps);
@@ -31,7 +32,7 @@ size_t view_count(const Light& light, int grid) {
 LampCost estimate_lamp_cost(const Scene& scene, const Options& options, std::span<const uint32_t> lamps) {
     const SegmentView segments = view(scene.hair, scene.segments);
     const HairMeasure hair = measure_hair(segments);
-    const SampleCost sample = cost_of_sample(scene, options, hair, lamps.size());
+    const SampleCost sample = cost_of_sample(scene, options, segments, hair, lamps.size());
     const double spp = samples_in_time(options, sample.rays);
     const double texel = double(max_component(hair.bounds.extent())) / options.maps.resolution;
     const double fragments = texel > 0 ? hair.length * kQuarterPi / texel : 0;

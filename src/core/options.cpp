@@ -17,6 +17,7 @@ constexpr std::string_view kLampNames[] = {"off", "ray", "deep", "opacity", "clu
 constexpr std::string_view kCrossingNames[] = {"off", "ray", "ray+deep", "ray+opacity", "ray+clusters", "path"};
 constexpr std::string_view kGatherNames[] = {"off", "ray", "projection", "path", "auto"};
 constexpr std::string_view kDetailNames[] = {"auto", "all", "simplified", "layers", "tree"};
+constexpr std::string_view kFarFieldNames[] = {"off", "on", "auto"};
 constexpr std::string_view kMeasureNames[] = {"root", "segment"};
 constexpr std::string_view kScatteredNames[] = {"off", "photons", "path"};
 constexpr std::string_view kScatteringNames[] = {"straight", "full"};
@@ -119,9 +120,11 @@ std::vector<OptionField> option_fields(Options& o) {
          "what is projected: every segment, fewer, or a tree"},
         {"projection.directions", &j.directions, 1, 4096, "drawn a point by its scattering, seen through its cells"},
         {"projection.rays", &j.rays, 1, 4096, "a point of polygons, drawn by its scattering, to other polygons"},
-        {"projection.probes", &j.probes, 1, 256,
+        {"projection.probes", &j.probes, 0, 256,
          "cubes across the hair, at whose corners light from beyond it is found"},
         {"projection.probe_cells", &j.probe_cells, 4, 4096, "a hemisphere of such a corner, a ray to polygons each"},
+        {"projection.far_field", choice(j.far_field, kFarFieldNames), 0, 0,
+         "hair that is not next to a point as seen from such a corner (tree)"},
         {"projection.opening", &j.opening, 0.1, 16, "cells; larger cubes are opened (tree)"},
         {"projection.splats", &j.splats, 0.1, 16, "that stand for a cube as large as a cell (tree)"},
         {"projection.leaf", &j.leaf, 1, 4096, "pieces of hair that a cube may keep undivided (tree)"},

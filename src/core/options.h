@@ -23,6 +23,7 @@ enum class ScatteringModel : int { straight, full };
 enum class Isa : int { automatic, scalar, sse4, avx2, avx512 };
 enum class ProjectionDetail : int { automatic, all, simplified, layers, tree };
 enum class LayerMeasure : int { root, segment };
+enum class FarField : int { off, on, automatic };
 enum class SplitMethod : int { binned, exact, naive, spatial_median, object_median };
 
 /// Parameters of the kd-tree after Havran 2000 and Wald & Havran 2006.
@@ -82,16 +83,17 @@ struct ProjectionOptions {
     ProjectionDetail detail = ProjectionDetail::automatic;
     int directions = 64;    // drawn a point by its scattering, seen through its cells
     int rays = 16;          // at polygons: directions, each a ray
-    int probes = 64;        // cubes across the hair whose corners are probes of what lies beyond the hair
+    int probes = 0;         // cubes across the hair whose corners see what lies beyond; 0: 64, or 128 with far_field
     int probe_cells = 256;  // a hemisphere of a probe, a ray to polygons each
-    float opening = 3;      // tree: cubes larger than this many cells are opened
-    float splats = 2;       // tree: that stand for a cube as large as a cell
-    int leaf = 16;          // tree: pieces of hair that a cube may keep undivided
-    float cube = 0;         // tree: sides of the smallest cube, scene units; 0: 1/256 of the hair
-    float gap = -1;         // share of the gap between neighbouring cells that is added; below 0: as rays show
-    float share = 0.25f;    // simplified: of strands that are kept, as wide as those they stand for
-    int stride = 1;         // simplified: segments of a strand that become one
-    float layer = 4;        // layers: s of the paper, scene units; layer i keeps every i-th segment
+    FarField far_field = FarField::automatic;  // tree: points share far hair, as these corners see it
+    float opening = 3;                         // tree: cubes larger than this many cells are opened
+    float splats = 2;                          // tree: that stand for a cube as large as a cell
+    int leaf = 16;                             // tree: pieces of hair that a cube may keep undivided
+    float cube = 0;                            // tree: sides of the smallest cube, scene units; 0: 1/256 of the hair
+    float gap = -1;       // share of the gap between neighbouring cells that is added; below 0: as rays show
+    float share = 0.25f;  // simplified: of strands that are kept, as wide as those they stand for
+    int stride = 1;       // simplified: segments of a strand that become one
+    float layer = 4;      // layers: s of the paper, scene units; layer i keeps every i-th segment
     LayerMeasure measure = LayerMeasure::root;  // layers: by the distance of a strand's root, or of the segment itself
     bool weighted = true;                       // layers, simplified: what is kept counts for what is left out
 };

@@ -245,10 +245,12 @@ private:
         plan_.sky = by(wanted_.by_ray, PathType::type2) && !plan_.environments.empty();
         std::string why_not = why_not_projected();
         const ProjectionDetail detail = projection_detail();
-        if (why_not.empty() && options_.type2 == GatherMethod::automatic) {
-            plan_.gather_cost = estimate_gather_cost(scene_, options_, detail,
-                                                     plan_.sky ? plan_.environments.size() : 0, plan_.polygon_gather);
-            if (!plan_.gather_cost->projection_pays()) why_not = "rays are faster" + gather_estimate();
+        if (why_not.empty()) {
+            const GatherCost cost = estimate_gather_cost(
+                scene_, options_, detail, plan_.sky ? plan_.environments.size() : 0, plan_.polygon_gather);
+            plan_.far_field = cost.far_field;
+            if (options_.type2 == GatherMethod::automatic) plan_.gather_cost = cost;
+            if (plan_.gather_cost && !cost.projection_pays()) why_not = "rays are faster" + gather_estimate();
         }
         if (why_not.empty()) plan_.projection = detail;
         decide(stage::kProjectedHair, why_not.empty(), detail_reason(detail), why_not);
@@ -288,6 +290,7 @@ private:
             build(stage::kProjection, counted(size_t(options_.projection.cells), "cell") + " a hemisphere, " +
                                           counted(size_t(options_.projection.directions), "direction") +
                                           (plan_.mesh_tree ? "; polygons as probes between points see them" : "") +
+                                          (plan_.far_field ? "; far hair as seen between points" : "") +
                                           gather_estimate());
         if (plan_.sky && !plan_.projection)
             build(stage::kSky, counted(plan_.environments.size(), "environment") + ", by shadow rays through the hair");

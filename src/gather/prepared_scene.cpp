@@ -120,7 +120,8 @@ PreparedScene prepare(const Scene& scene, const Plan& plan, const Options& optio
     if (plan.projection)
         timed(p.costs, stage::kProjectedHair, [&] {
             p.projection = make_hair_projection(p.segments, p.attenuation, *plan.projection, options);
-            if (plan.mesh_tree) p.probes = std::make_unique<LightProbes>(p.projection.bounds, options.projection);
+            if (plan.mesh_tree || plan.far_field)
+                p.probes = std::make_unique<LightProbes>(p.projection.bounds, options.projection, plan.far_field);
             calibrate_gap(p, options, make_light_trials(scene, plan, p, options));
             return bytes(p.projection);
         });

@@ -6,6 +6,7 @@
 
 #include "core/aligned_array.h"
 #include "core/frame.h"
+#include "gather/projection/far_hair.h"
 #include "gather/projection/hair_opacity.h"
 #include "gather/projection/igloo.h"
 
@@ -24,6 +25,18 @@ struct CellDepths {
         cells = of_cells;
         if (depth.size() < kCopies * cells) depth = AlignedArray<Depth>(kCopies * cells);
         for (size_t i = 0; i < kCopies * cells; ++i) depth[i] = Depth{};
+    }
+    /// Starts with the depths of far hair.
+    void start(const FarHair& far) {
+        clear(far.depth.size());
+        const auto value = unpacked_depths();
+        for (size_t cell = 0; cell < cells; ++cell) {
+            const uint32_t bits = far.depth[cell].bits;
+            if constexpr (sizeof(Depth) == sizeof(float))
+                depth[cell] = value[bits & 1023];
+            else
+                depth[cell] = {value[bits & 1023], value[bits >> 10 & 1023], value[bits >> 20 & 1023], 0};
+        }
     }
     Depth sum(size_t cell) const {
         Depth all = depth[cell];

@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "gather/projection/hair_projection.h"
 
+#include "gather/projection/hair_cube.h"
 #include "gather/projection/simplified_hair.h"
 
 namespace tress {
 namespace {
 
+constexpr float kNearCubes = 2;      // of the probe grid, from a corner to the end of what is near; docs/projection.md
 constexpr float kCubesAcross = 256;  // of the smallest, over the hair
+
+ProjectionInput input_of(const HairProjection& p) {
+    return {p.igloo, p.opacity, p.segments, p.tree, p.options.opening, p.options.splats, std::max(p.options.gap, 0.0f)};
+}
+
+Rgb color(float depth) { return Rgb(depth); }
+Rgb color(const Rgbx& depth) { return {depth.c[0], depth.c[1], depth.c[2]}; }
+
+template <class Depth>
+std::vector<PackedDepth> packed(const CellDepths<Depth>& depths) {
+    std::vector<PackedDepth> to(depths.cells);
+    for (size_t cell = 0; cell < depths.cells; ++cell) to[cell] = pack_depth(color(depths.sum(cell)));
+    return to;
+}
 
 }  // namespace
 
@@ -20,7 +36,7 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
     p.opacity = make_hair_opacity(attenuation);
     switch (detail) {
         case ProjectionDetail::tree:
-            if (p.options.cube == 0) p.options.cube = max_component(p.bounds.extent()) / kCubesAcross;
+            if (p.options.cube == 0) p.options.cube = 2 * hair_cube(p.bounds).half / kCubesAcross;
             p.tree = make_moment_tree(segments, p.opacity, {p.options.leaf, p.options.cube});
             break;
         case ProjectionDetail::simplified:
@@ -37,8 +53,7 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
 
 void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& from, const Unseen& unseen, Isa isa,
              ProjectionScratch& scratch, CellLight& light) {
-    const ProjectionInput in{
-        p.igloo, p.opacity, p.segments, p.tree, p.options.opening, p.options.splats, std::max(p.options.gap, 0.0f)};
+    const ProjectionInput in = input_of(p);
     const ProjectionKernels kernels = projection_kernels(isa);
     switch (p.options.detail) {
         case ProjectionDetail::tree:
@@ -52,6 +67,23 @@ void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& 
             kernels.project_segments(in, from, unseen, scratch);
     }
     kernels.find_light(in, from, scratch, light);
+}
+
+void project_near(const HairProjection& p, const Viewpoint& from, const Unseen& unseen, const FarHair& far, Isa isa,
+                  ProjectionScratch& scratch, CellLight& light) {
+    const ProjectionInput in = input_of(p);
+    const ProjectionKernels kernels = projection_kernels(isa);
+    kernels.project_near(in, from, unseen, far, scratch);
+    kernels.find_light(in, from, scratch, light);
+}
+
+FarHair find_far_hair(const HairProjection& p, const Viewpoint& from, float size, Isa isa, ProjectionScratch& scratch) {
+    const ProjectionInput in = input_of(p);
+    FarHair far;
+    far.near_box = {from.position - p.tree.origin, kNearCubes * size, size};
+    projection_kernels(isa).project_far(in, from, far, scratch);
+    far.depth = p.opacity.gray ? packed(scratch.gray) : packed(scratch.color);
+    return far;
 }
 
 size_t bytes(const HairProjection& p) { return bytes(p.opacity) + bytes(p.segments) + bytes(p.layers) + bytes(p.tree); }

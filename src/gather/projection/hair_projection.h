@@ -38,6 +38,14 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
 void project(const HairProjection& projection, const SegmentView& hair, const Viewpoint& from, const Unseen& unseen,
              Isa isa, ProjectionScratch& scratch, CellLight& light);
 
+/// The same, from what `far` has and the hair in its box. The frame of `from` is that of `far`; the hair is a tree.
+void project_near(const HairProjection& projection, const Viewpoint& from, const Unseen& unseen, const FarHair& far,
+                  Isa isa, ProjectionScratch& scratch, CellLight& light);
+
+/// Far hair of the corner of the grid that is at `from`; `size` is that of the grid's cubes. The hair is a tree.
+FarHair find_far_hair(const HairProjection& projection, const Viewpoint& from, float size, Isa isa,
+                      ProjectionScratch& scratch);
+
 size_t bytes(const HairProjection& projection);
 
 }  // namespace tress

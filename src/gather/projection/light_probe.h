@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What lies beyond the hair as seen from a place: polygons, their light, and where the sky is open. One ray a cell of
-// an igloo, against polygons alone (Yuksel, Akleman & Keyser 2007, sec. 4.2).
+// What is seen from a place, and nearly alike from those next to it. Beyond the hair: polygons, their light, and where
+// the sky is open, by one ray a cell of an igloo, against polygons alone (Yuksel, Akleman & Keyser 2007, sec. 4.2). And
+// the hair that is not next to it.
 #pragma once
 
 #include <vector>
 
 #include "core/frame.h"
 #include "core/shared_exponent.h"
+#include "gather/projection/far_hair.h"
 #include "gather/projection/igloo.h"
 
 namespace tress {
@@ -23,10 +25,11 @@ struct ProbeCell {
 
 struct LightProbe {
     Vec3 position{0};
-    Frame frame;                   // of the igloo
-    std::vector<ProbeCell> cells;  // of a sphere
+    Frame frame;                   // of the igloos
+    std::vector<ProbeCell> cells;  // of a sphere; empty: there are no polygons
+    FarHair far;                   // empty: each point projects all hair
 
-    size_t bytes() const { return sizeof(LightProbe) + cells.size() * sizeof(ProbeCell); }
+    size_t bytes() const { return sizeof(LightProbe) + cells.size() * sizeof(ProbeCell) + far.bytes(); }
 };
 
 /// The cell that sees what is seen from `place`, near the probe, along the unit vector `direction`: the polygon at

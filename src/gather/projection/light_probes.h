@@ -5,7 +5,7 @@
 
 #include <tbb/concurrent_unordered_map.h>
 
-#include "core/options.h"
+#include "core/gather_cost.h"
 #include "gather/projection/light_probe.h"
 #include "gather/projection/probe_grid.h"
 
@@ -13,8 +13,9 @@ namespace tress {
 
 class LightProbes {
 public:
-    LightProbes(const Bounds& hair, const ProjectionOptions& options)
-        : grid_(make_probe_grid(hair, options.probes)), igloo_(make_igloo(uint32_t(options.probe_cells))) {}
+    LightProbes(const Bounds& hair, const ProjectionOptions& options, bool far_field)
+        : grid_(make_probe_grid(hair_cube(hair), probes_across(options, far_field))),
+          igloo_(make_igloo(uint32_t(options.probe_cells))) {}
 
     const ProbeGrid& grid() const { return grid_; }
     const Igloo& igloo() const { return igloo_; }

@@ -10,18 +10,23 @@ Rgb LightThroughCells::operator()(const PreparedScene& prepared, const ShadingPo
     if (seen.empty()) return Rgb(0);
     const HairProjection& hair = prepared.projection;
     Viewpoint from = viewpoint_of(point, key);
-    if (probe) {
+    const bool polygons = probe && !probe->cells.empty(), shared = probe && !probe->far.empty();
+    if (shared) from.frame = probe->frame;
+    if (polygons) {
         projection_kernels(isa).find_sight(*probe, prepared.probes->igloo(), hair.igloo, from, sight_);
         from.sight = std::span(sight_).first(hair.igloo.cells_of(from.dome));
     }
-    project(hair, prepared.segments, from, unseen_from(point), isa, scratch_, cells_);
+    if (shared)
+        project_near(hair, from, unseen_from(point), probe->far, isa, scratch_, cells_);
+    else
+        project(hair, prepared.segments, from, unseen_from(point), isa, scratch_, cells_);
     Rgb sum(0);
     for (const SeenLight& light : seen) {
         const uint32_t cell = cell_of(hair.igloo, from.frame.to_local(light.direction));
         if (cell >= cells_.cells) continue;  // below a polygon's horizon
         if (!light.among_hair)
             sum += light.radiance * cells_.transmittance(cell);
-        else if (probe)
+        else if (polygons)
             sum += light.radiance * cells_.transmittance_in_sight(cell);
     }
     return sum;

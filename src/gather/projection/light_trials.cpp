@@ -5,6 +5,7 @@
 
 #include "core/rng.h"
 #include "gather/projection/make_light_probe.h"
+#include "gather/projection/probes_of_points.h"
 #include "gather/seen_points.h"
 
 namespace tress {
@@ -23,15 +24,21 @@ std::vector<LightTrial> make_light_trials(const Scene& scene, const Plan& plan, 
     tbb::parallel_for(size_t(0), trials.size(), [&](size_t i) {
         LightTrial& t = trials[i];
         t.point = seen[i * seen.size() / trials.size()];
+        const Sampler sampler{hash(kKey, i), 0};
         std::vector<DrawnDirection> directions;
-        DirectionDraw()(scene, prepared, plan, t.point, {hash(kKey, i), 0}, kDirections, directions);
-        if (prepared.probes) {
+        DirectionDraw()(scene, prepared, plan, t.point, sampler, kDirections, directions);
+        if (!prepared.mesh.empty()) {
             const Igloo& igloo = prepared.probes->igloo();
             t.probe = make_light_probe(scene, prepared, plan, igloo, t.point.position, t.point.excluded, hash(kKey, i),
                                        options.isa);
             find_seen_light(*t.probe, igloo, t.point, directions, t.seen);
         } else {
             SeenLightByRays()(scene, prepared, plan, options, t.point, directions, t.seen);
+        }
+        if (plan.far_field) {
+            ProbesOfPoints probes;
+            probes.find(scene, prepared, plan, options, {&t.point, 1}, {&sampler, 1});
+            t.probe = probes.of(0);
         }
     });
     return trials;

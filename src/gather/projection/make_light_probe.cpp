@@ -14,6 +14,7 @@ LightProbe make_light_probe(const Scene& scene, const PreparedScene& prepared, c
     LightProbe probe;
     probe.position = position;
     probe.frame = turned_at_random(key);
+    if (prepared.mesh.empty()) return probe;
     const uint32_t cells = igloo.cells_of(Dome::sphere);
     RayBuffer rays;
     for (uint32_t cell = 0; cell < cells; ++cell) {

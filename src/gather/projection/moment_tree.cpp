@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "gather/projection/hair_cube.h"
 #include "gather/projection/hair_moments.h"
 
 namespace tress {
@@ -187,9 +188,9 @@ std::vector<HairPiece> all_pieces(const SegmentView& segments, const DVec3& orig
 MomentTree make_moment_tree(const SegmentView& segments, const HairOpacity& opacity, const MomentTreeOptions& options) {
     MomentTree tree;
     if (segments.size() == 0) return tree;
-    const Bounds box = bounds(segments);
-    tree.origin = box.center();
-    tree.half_size = 0.5f * max_component(box.extent());
+    const HairCube root = hair_cube(bounds(segments));
+    tree.origin = root.center;
+    tree.half_size = root.half;
     for (size_t i = 0; i < segments.size(); ++i)
         tree.largest_radius = std::max({tree.largest_radius, segments.start_radius(i), segments.end_radius(i)});
     std::vector<HairPiece> pieces = all_pieces(segments, DVec3(tree.origin));

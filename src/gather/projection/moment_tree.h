@@ -6,6 +6,7 @@
 // the hair is in one cube.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,6 +32,32 @@ struct MomentPieces {
     std::vector<uint16_t> ax, ay, az, bx, by, bz;
     std::vector<uint16_t> start_radius, end_radius;  // in 1 / 65535 of the largest
     std::vector<uint32_t> segment;
+};
+
+/// One of the tree's cubes.
+struct MomentCube {
+    Vec3 center{0};  // relative to the tree's origin
+    float half = 0;  // of its side
+    int32_t child = MomentBlock::kNoChild;
+
+    MomentCube octant(int o, int32_t of_octant) const {
+        const float h = 0.5f * half;
+        return {center + Vec3(o & 1 ? h : -h, o & 2 ? h : -h, o & 4 ? h : -h), h, of_octant};
+    }
+};
+
+/// A box whose faces are planes between cubes of the tree.
+struct MomentBox {
+    Vec3 center{0};  // relative to the tree's origin
+    float half = 0;  // of its side
+    float cube = 0;  // side of the cubes between which its faces are
+
+    bool meets(const MomentCube& c) const {
+        // They overlap by as much as the smaller of the two kinds of cubes, or not at all.
+        return max_component(abs(c.center - center)) < c.half + half - 0.25f * std::min(c.half, cube);
+    }
+    /// Of a cube that it meets; false for larger ones that it may hold.
+    bool holds(const MomentCube& c) const { return c.half < 0.75f * cube; }
 };
 
 struct MomentTree {

@@ -12,6 +12,7 @@
 
 #include "gather/projection/arcs-inl.h"
 #include "gather/projection/cube_pattern.h"
+#include "gather/projection/far_hair.h"
 #include "gather/projection/projection_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -95,69 +96,171 @@ HWY_INLINE void splat_cube(const MomentBlock& b, const SeenCubes& seen, size_t o
     to.size += count;
 }
 
-template <class Depth>
-void draw_leaf(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen, size_t leaf,
-               ProjectionScratch& scratch, CellDepths<Depth>& to) {
+/// The part of a segment within a box, as shares of its length; empty: first >= last.
+struct PartWithin {
+    float first = 0, last = 1;
+
+    PartWithin(const MomentBox& box, const Vec3& a, const Vec3& b) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const float along = b[axis] - a[axis], from = a[axis] - box.center[axis];
+            if (along == 0) {
+                if (std::abs(from) > box.half) last = -1;
+                continue;
+            }
+            const float t = (-box.half - from) / along, u = (box.half - from) / along;
+            first = std::max(first, std::min(t, u));
+            last = std::min(last, std::max(t, u));
+        }
+    }
+};
+
+enum class Kept { whole, inside, outside };  // what of pieces, by a box
+
+/// The pieces of leaf `~child`, or what of them is inside or outside of `box`.
+template <Kept kKept, class Depth>
+void draw_leaf(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen, int32_t child,
+               const MomentBox& box, ProjectionScratch& scratch, CellDepths<Depth>& to) {
     const MomentTree& tree = in.tree;
     const MomentPieces& p = tree.pieces;
+    const size_t leaf = size_t(~child);
     const float scale = tree.leaf_size[leaf] / 65535, radius = tree.largest_radius / 65535;
-    const Vec3 low = tree.leaf_low[leaf] + (tree.origin - from.position);
+    const Vec3 offset = tree.origin - from.position;
     for (size_t i = tree.leaf_first[leaf]; i < tree.leaf_first[leaf + 1]; ++i) {
         if (unseen.holds(p.segment[i])) continue;
-        if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
-        scratch.pieces.add(low + scale * Vec3(p.ax[i], p.ay[i], p.az[i]), low + scale * Vec3(p.bx[i], p.by[i], p.bz[i]),
-                           radius * float(p.start_radius[i]), radius * float(p.end_radius[i]),
-                           in.opacity.kind_of(p.segment[i]), p.segment[i]);
+        const Vec3 a = tree.leaf_low[leaf] + scale * Vec3(p.ax[i], p.ay[i], p.az[i]);
+        const Vec3 b = tree.leaf_low[leaf] + scale * Vec3(p.bx[i], p.by[i], p.bz[i]);
+        const float start = radius * float(p.start_radius[i]), end = radius * float(p.end_radius[i]);
+        const auto add = [&](float s, float t) {
+            if (!(s < t)) return;
+            if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
+            scratch.pieces.add(s > 0 ? offset + glm::mix(a, b, s) : offset + a,
+                               t < 1 ? offset + glm::mix(a, b, t) : offset + b, glm::mix(start, end, s),
+                               glm::mix(start, end, t), in.opacity.kind_of(p.segment[i]), p.segment[i]);
+        };
+        if constexpr (kKept == Kept::whole) {
+            add(0, 1);
+        } else {
+            const PartWithin within(box, a, b);
+            if constexpr (kKept == Kept::inside) {
+                add(within.first, within.last);
+            } else if (within.first < within.last) {
+                add(0, within.first), add(within.last, 1);
+            } else {
+                add(0, 1);
+            }
+        }
     }
 }
 
+/// The walk from one point: cubes are taken as splats, or opened.
 template <class Depth>
-void project_tree(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen, ProjectionScratch& scratch,
-                  CellDepths<Depth>& to) {
-    struct Entry {
-        int32_t block;
-        float size;  // of its cubes
-    };
-    Entry stack[8 * 24];
-    size_t entries = 0;
-    const MomentTree& tree = in.tree;
-    if (tree.blocks.empty()) return;
-    const Vec3 at = from.position - tree.origin;
-    const float widest = std::min(in.opening * in.igloo.cell_size(), kWidestCube);
-    const float per_size = 1 / widest;  // distance at which a cube of size 1 is taken
-    const float splats_at_reach = in.sub_splats * square(widest / in.igloo.cell_size());
-    // A point's own fiber is told apart in leaves alone.
-    const float own_reach = unseen.first <= unseen.last ? (kOwnStrandRadii + 1) * tree.largest_radius : 0;
-    const Vec3 up = from.frame.z;
-    stack[entries++] = {0, tree.half_size};
-    SeenCubes seen;
-    while (entries > 0) {
-        const Entry entry = stack[--entries];
-        const MomentBlock& block = tree.blocks[size_t(entry.block)];
-        look_at(block, at, entry.size * per_size, own_reach, splats_at_reach, seen);
-        const auto hidden = [&](size_t o) {  // below the horizon of a polygon, whole
-            return from.dome == Dome::hemisphere && dot(up, Vec3(seen.x[o], seen.y[o], seen.z[o])) < -2 * entry.size;
-        };
-        for (uint32_t bits = seen.taken; bits != 0; bits &= bits - 1) {
-            const size_t o = size_t(std::countr_zero(bits));
-            if (hidden(o)) continue;
-            if (!scratch.cube_splats.has_room(kMostSubSplats))
-                add_splats<SplatOf::cube>(in.igloo, from, in.opacity, scratch.cube_splats, to);
-            splat_cube(block, seen, o, scratch.cube_splats);
-        }
-        for (uint32_t bits = seen.opened; bits != 0; bits &= bits - 1) {
-            const size_t o = size_t(std::countr_zero(bits));
-            if (hidden(o)) continue;
-            const int32_t child = block.child[o];
-            if (child >= 0)
-                stack[entries++] = {child, 0.5f * entry.size};
+class MomentWalk {
+public:
+    MomentWalk(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen, ProjectionScratch& scratch,
+               CellDepths<Depth>& to)
+        : in_(in), from_(from), unseen_(unseen), scratch_(scratch), to_(to), at_(from.position - in.tree.origin) {
+        const float widest = std::min(in.opening * in.igloo.cell_size(), kWidestCube);
+        per_half_ = 1 / widest;
+        splats_at_reach_ = in.sub_splats * square(widest / in.igloo.cell_size());
+        // A point's own fiber is told apart in leaves alone.
+        own_reach_ = unseen.first <= unseen.last ? (kOwnStrandRadii + 1) * in.tree.largest_radius : 0;
+    }
+
+    /// All hair.
+    void everything() {
+        if (in_.tree.blocks.empty()) return;
+        open({Vec3(0), in_.tree.half_size, 0});
+        run([](const MomentCube&, SeenCubes&) {});
+    }
+
+    /// Hair in the box of `far`.
+    void near(const FarHair& far) {
+        for (const MomentCube& cube : far.near) {
+            if (cube.child >= 0)
+                open(cube);
+            else if (far.near_box.holds(cube))
+                draw_leaf<Kept::whole>(in_, from_, unseen_, cube.child, far.near_box, scratch_, to_);
             else
-                draw_leaf(in, from, unseen, size_t(~child), scratch, to);
+                draw_leaf<Kept::inside>(in_, from_, unseen_, cube.child, far.near_box, scratch_, to_);
+        }
+        run([](const MomentCube&, SeenCubes&) {});
+    }
+
+    /// Hair outside the box of `far`; the cubes inside are listed.
+    void beyond(FarHair& far) {
+        if (in_.tree.blocks.empty()) return;
+        open({Vec3(0), in_.tree.half_size, 0});
+        run([&](const MomentCube& cube, SeenCubes& seen) {
+            if (far.near_box.meets(cube)) split(cube, far, seen);
+        });
+    }
+
+private:
+    void open(const MomentCube& cube) { stack_[entries_++] = cube; }
+
+    /// Of the cubes of a block, takes away from `seen` those that the box of `far` meets.
+    void split(const MomentCube& of, FarHair& far, SeenCubes& seen) {
+        const MomentBlock& block = in_.tree.blocks[size_t(of.child)];
+        for (int o = 0; o < 8; ++o) {
+            const uint32_t bit = 1u << o;
+            if (!((seen.taken | seen.opened) & bit)) continue;
+            const MomentCube cube = of.octant(o, block.child[o]);
+            if (!far.near_box.meets(cube)) continue;
+            seen.taken &= ~bit, seen.opened &= ~bit;
+            const bool leaf = cube.child < 0, held = far.near_box.holds(cube);
+            if (leaf || held) far.near.push_back(cube);
+            if (leaf && !held)
+                draw_leaf<Kept::outside>(in_, from_, unseen_, cube.child, far.near_box, scratch_, to_);
+            else if (!held)
+                open(cube);
         }
     }
-    finish_pieces(in.igloo, from, in.opacity, scratch, to);
-    add_splats<SplatOf::cube>(in.igloo, from, in.opacity, scratch.cube_splats, to);
-}
+
+    /// Below the horizon of a polygon, whole.
+    bool hidden(const SeenCubes& seen, size_t o, float half) const {
+        return from_.dome == Dome::hemisphere && dot(from_.frame.z, Vec3(seen.x[o], seen.y[o], seen.z[o])) < -2 * half;
+    }
+
+    /// Empties the stack. split(cube, seen) may take away cubes of a block that is opened.
+    template <class Split>
+    void run(const Split& split) {
+        SeenCubes seen;
+        while (entries_ > 0) {
+            const MomentCube cube = stack_[--entries_];
+            const MomentBlock& block = in_.tree.blocks[size_t(cube.child)];
+            look_at(block, at_, cube.half * per_half_, own_reach_, splats_at_reach_, seen);
+            split(cube, seen);
+            for (uint32_t bits = seen.taken; bits != 0; bits &= bits - 1) {
+                const size_t o = size_t(std::countr_zero(bits));
+                if (hidden(seen, o, cube.half)) continue;
+                if (!scratch_.cube_splats.has_room(kMostSubSplats))
+                    add_splats<SplatOf::cube>(in_.igloo, from_, in_.opacity, scratch_.cube_splats, to_);
+                splat_cube(block, seen, o, scratch_.cube_splats);
+            }
+            for (uint32_t bits = seen.opened; bits != 0; bits &= bits - 1) {
+                const size_t o = size_t(std::countr_zero(bits));
+                if (hidden(seen, o, cube.half)) continue;
+                if (block.child[o] >= 0)
+                    open(cube.octant(int(o), block.child[o]));
+                else
+                    draw_leaf<Kept::whole>(in_, from_, unseen_, block.child[o], {}, scratch_, to_);
+            }
+        }
+        finish_pieces(in_.igloo, from_, in_.opacity, scratch_, to_);
+        add_splats<SplatOf::cube>(in_.igloo, from_, in_.opacity, scratch_.cube_splats, to_);
+    }
+
+    const ProjectionInput& in_;
+    const Viewpoint& from_;
+    const Unseen& unseen_;
+    ProjectionScratch& scratch_;
+    CellDepths<Depth>& to_;
+    Vec3 at_;
+    float per_half_;  // distance at which a cube of half side 1 is taken
+    float splats_at_reach_, own_reach_;
+    MomentCube stack_[8 * 24];
+    size_t entries_ = 0;
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace tress

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "gather/projection/probe_grid.h"
 
+#include <bit>
+
 namespace tress {
-namespace {
-
-const Vec3 kOffset(0.37f, 0.59f, 0.83f);  // of the origin, in cubes: corners are not on polygons at round numbers
-
-}  // namespace
-
-ProbeGrid make_probe_grid(const Bounds& hair, int across) {
-    const float longest = max_component(hair.extent());
-    const float size = longest > 0 ? longest / float(across) : 1;
-    return {hair.lo - size * kOffset, size};
+ProbeGrid make_probe_grid(const HairCube& hair, int across) {
+    const float size = 2 * hair.half / float(std::bit_ceil(unsigned(across)));
+    return {hair.center - hair.half, size > 0 ? size : 1};
 }
 
 uint64_t ProbeCube::key(int i) const {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/bounds.h"
+#include "gather/projection/hair_cube.h"
 
 namespace tress {
 
@@ -13,8 +13,8 @@ struct ProbeGrid {
     float size = 1;  // of the cubes
 };
 
-/// `across`: cubes along the longest side of the hair.
-ProbeGrid make_probe_grid(const Bounds& hair, int across);
+/// `across`: at least so many cubes along the side of the cube about the hair, which is halved until they are enough.
+ProbeGrid make_probe_grid(const HairCube& hair, int across);
 
 /// The cube that a place is in.
 struct ProbeCube {

@@ -27,12 +27,25 @@ int draw_corner(const ProbeCube& cube, uint32_t passed_over, float u) {
 
 }  // namespace
 
+LightProbe ProbesOfPoints::make_at_corner(const Scene& scene, const PreparedScene& prepared, const Plan& plan,
+                                          const Options& options, const ProbeCube& cube, int corner) {
+    const Igloo& igloo = prepared.probes->igloo();
+    LightProbe probe =
+        make_light_probe(scene, prepared, plan, igloo, cube.corner(corner), Excluded{}, cube.key(corner), options.isa);
+    if (!plan.far_field) return probe;
+    Viewpoint from{probe.position, probe.frame, Dome::sphere, {}};
+    if (!probe.cells.empty()) {
+        const Igloo& of_hair = prepared.projection.igloo;
+        projection_kernels(options.isa).find_sight(probe, igloo, of_hair, from, sight_);
+        from.sight = std::span(sight_).first(of_hair.cells_of(from.dome));
+    }
+    probe.far = find_far_hair(prepared.projection, from, cube.grid.size, options.isa, scratch_);
+    return probe;
+}
+
 void ProbesOfPoints::find(const Scene& scene, const PreparedScene& prepared, const Plan& plan, const Options& options,
                           std::span<const ShadingPoint> points, std::span<const Sampler> samplers) {
     LightProbes& probes = *prepared.probes;
-    const auto make = [&](const Vec3& position, const Excluded& excluded, uint64_t key) {
-        return make_light_probe(scene, prepared, plan, probes.igloo(), position, excluded, key, options.isa);
-    };
     probe_.resize(points.size());
     own_.clear();
     searches_.clear();
@@ -47,7 +60,8 @@ void ProbesOfPoints::find(const Scene& scene, const PreparedScene& prepared, con
             const ShadingPoint& point = points[s.point];
             s.corner = draw_corner(s.cube, s.passed_over, random(s.key, s.passed_over));
             if (s.corner < 0) {
-                own_.push_back(make(point.position, point.excluded, s.key));
+                own_.push_back(make_light_probe(scene, prepared, plan, probes.igloo(), point.position, point.excluded,
+                                                s.key, options.isa));
                 probe_[s.point] = &own_.back();
                 continue;
             }
@@ -55,7 +69,7 @@ void ProbesOfPoints::find(const Scene& scene, const PreparedScene& prepared, con
             tried_.push_back(s);
         }
         occluded_.assign(rays_.size(), 0);
-        occluded_triangle(prepared.mesh, rays_.for_mesh(), occluded_, options.isa);
+        if (!prepared.mesh.empty()) occluded_triangle(prepared.mesh, rays_.for_mesh(), occluded_, options.isa);
         searches_.clear();
         for (size_t ray = 0; ray < tried_.size(); ++ray) {
             Search& s = tried_[ray];
@@ -64,8 +78,9 @@ void ProbesOfPoints::find(const Scene& scene, const PreparedScene& prepared, con
                 searches_.push_back(s);
                 continue;
             }
-            probe_[s.point] = &probes.at(s.cube.key(s.corner),
-                                         [&](uint64_t key) { return make(s.cube.corner(s.corner), Excluded{}, key); });
+            probe_[s.point] = &probes.at(s.cube.key(s.corner), [&](uint64_t) {
+                return make_at_corner(scene, prepared, plan, options, s.cube, s.corner);
+            });
         }
     }
 }

@@ -8,6 +8,7 @@
 
 #include "core/sampler.h"
 #include "gather/prepared_scene.h"
+#include "gather/projection/projection_scratch.h"
 #include "gather/shading_point.h"
 
 namespace tress {
@@ -22,6 +23,9 @@ public:
     const LightProbe& of(size_t point) const { return *probe_[point]; }
 
 private:
+    LightProbe make_at_corner(const Scene& scene, const PreparedScene& prepared, const Plan& plan,
+                              const Options& options, const ProbeCube& cube, int corner);
+
     struct Search {
         uint32_t point;
         ProbeCube cube;
@@ -35,6 +39,9 @@ private:
     std::vector<Search> searches_, tried_;
     RayBuffer rays_;
     std::vector<uint8_t> occluded_;
+
+    ProjectionScratch scratch_;  // for far hair
+    std::vector<float> sight_;
 };
 
 }  // namespace tress

@@ -32,7 +32,7 @@ void ProjectedLight::operator()(const Scene& scene, const PreparedScene& prepare
         draw_(scene, prepared, plan, point, sampler, at_hair ? options.projection.directions : options.projection.rays,
               directions_);
         const LightProbe* probe = at_hair && prepared.probes ? &probes_.of(row) : nullptr;
-        if (probe)
+        if (probe && !probe->cells.empty())
             find_seen_light(*probe, prepared.probes->igloo(), point, directions_, seen_);
         else
             by_rays_(scene, prepared, plan, options, point, directions_, seen_);
@@ -40,7 +40,7 @@ void ProjectedLight::operator()(const Scene& scene, const PreparedScene& prepare
         if (by_cells)
             radiance[row] +=
                 through_cells_(prepared, point, probe, seen_, hash(sampler.key, sampler.index), options.isa);
-        if (!probe) send_rays(hair, point, row, by_cells, radiance[row]);
+        if (!at_hair || !prepared.probes) send_rays(hair, point, row, by_cells, radiance[row]);
     }
     through_.resize(rays_.size());
     through_hair(prepared, rays_, options, through_);

@@ -44,7 +44,23 @@ void project_chosen_of(const ProjectionInput& in, const Viewpoint& from, const U
 
 void project_tree_of(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
                      ProjectionScratch& scratch) {
-    with_depths(in, from, scratch, [&](auto& depths) { project_tree(in, from, unseen, scratch, depths); });
+    with_depths(in, from, scratch, [&](auto& depths) { MomentWalk(in, from, unseen, scratch, depths).everything(); });
+}
+
+void project_near_of(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen, const FarHair& far,
+                     ProjectionScratch& scratch) {
+    const auto run = [&](auto& depths) {
+        depths.start(far);
+        MomentWalk(in, from, unseen, scratch, depths).near(far);
+    };
+    if (in.opacity.gray)
+        run(scratch.gray);
+    else
+        run(scratch.color);
+}
+
+void project_far_of(const ProjectionInput& in, const Viewpoint& from, FarHair& far, ProjectionScratch& scratch) {
+    with_depths(in, from, scratch, [&](auto& depths) { MomentWalk(in, from, {}, scratch, depths).beyond(far); });
 }
 
 void find_light(const ProjectionInput& in, const Viewpoint& from, const ProjectionScratch& scratch, CellLight& to) {
@@ -61,7 +77,8 @@ void find_light(const ProjectionInput& in, const Viewpoint& from, const Projecti
 }
 
 ProjectionKernels kernels_here() {
-    return {project_segments_of, project_chosen_of, project_tree_of, find_light, find_sight};
+    return {project_segments_of, project_chosen_of, project_tree_of, project_near_of,
+            project_far_of,      find_light,        find_sight};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -4,8 +4,8 @@
 
 #include "core/options.h"
 #include "gather/projection/cell_light.h"
+#include "gather/projection/far_hair.h"
 #include "gather/projection/light_probe.h"
-#include "gather/projection/moment_tree.h"
 #include "gather/projection/projected_segments.h"
 #include "gather/projection/projection_scratch.h"
 
@@ -28,6 +28,10 @@ struct ProjectionKernels {
     void (*project_segments)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_chosen)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_tree)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
+    /// Of the tree, only the hair in the cubes of `far`, or all but that: then these are listed.
+    void (*project_near)(const ProjectionInput&, const Viewpoint&, const Unseen&, const FarHair& far,
+                         ProjectionScratch&);
+    void (*project_far)(const ProjectionInput&, const Viewpoint&, FarHair& far, ProjectionScratch&);
     /// From the sums of depths to light.
     void (*find_light)(const ProjectionInput&, const Viewpoint&, const ProjectionScratch&, CellLight&);
     /// Squared distance of polygons among the hair in each cell of a viewpoint near the probe; infinity where there are
