@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every segment projected: one splat for those that are small from the point, exact arcs for the rest.
+// Every segment projected: one splat for those that are small from the point, four for those that are not much longer,
+// exact arcs for the rest.
 #if defined(TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H
 #undef TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H
@@ -19,38 +20,119 @@ namespace HWY_NAMESPACE {
 /// One splat stands for a segment of at most this length, in distances; longer ones than a cell are cut up.
 HWY_INLINE float longest_splat(float cell_size) { return std::min(cell_size, 0.25f); }
 
-/// Nor for one that looks wider. A point's own fiber, which reaches kOwnStrandRadii along the strand, is longer or
-/// wider than this from it in any case, so that leaving it out is left to the pieces drawn exactly.
+/// Four splats stand for one of at most this length, whose quarters are nearly as far away as its middle.
+HWY_INLINE float longest_quartered(float cell_size) { return std::min(4 * longest_splat(cell_size), 0.5f); }
+
+/// No splat stands for one that looks wider. A point's own fiber, which reaches kOwnStrandRadii along the strand, is
+/// longer or wider than this from it in any case, so that leaving it out is left to what is not one splat.
 HWY_INLINE float widest_splat(float cell_size) { return std::min(kWideShare * cell_size, 0.1f); }
+
+/// A vector of segments: middles relative to the point, tangents.
+struct SeenSegments {
+    FloatVec x, y, z, ux, uy, uz, length, radius;
+};
+
+HWY_INLINE SeenSegments look_at(const ProjectedSegments& s, size_t i, const Viewpoint& from) {
+    const Floats d;
+    return {hn::Load(d, &s.x[i]) - set(from.position.x),
+            hn::Load(d, &s.y[i]) - set(from.position.y),
+            hn::Load(d, &s.z[i]) - set(from.position.z),
+            hn::Load(d, &s.ux[i]),
+            hn::Load(d, &s.uy[i]),
+            hn::Load(d, &s.uz[i]),
+            hn::Load(d, &s.length[i]),
+            hn::Load(d, &s.radius[i])};
+}
+
+HWY_INLINE FloatVec squared_distance(const SeenSegments& v) {
+    return hn::Max(dot3(v.x, v.y, v.z, v.x, v.y, v.z), set(1e-30f));
+}
 
 /// A vector of segments as one splat each, at rows `at` and on: solid angle 2 r L sin(alpha) / d^2 (1 + (5 g^2 - L^2) /
 /// (8 d^2)), with alpha the angle between tangent and direction and g = L cos(alpha): the integral over the axis up to
-/// the fourth power of L / d. Returns those that are too near; their solid angle is set to 0.
-HWY_INLINE FloatMask splat_segments(const ProjectedSegments& s, size_t i, const Viewpoint& from, float longest,
-                                    float widest, size_t at, Splats& to) {
+/// the fourth power of L / d. Where `left_out`, it is 0.
+HWY_INLINE void splat_segments(const SeenSegments& v, FloatVec squared, FloatMask left_out, size_t at, Splats& to) {
     const Floats d;
     const Ints di;
     const FloatVec one = set(1.0f);
-    const FloatVec x = hn::Load(d, &s.x[i]) - set(from.position.x), y = hn::Load(d, &s.y[i]) - set(from.position.y),
-                   z = hn::Load(d, &s.z[i]) - set(from.position.z);
-    const FloatVec length = hn::Load(d, &s.length[i]), radius = hn::Load(d, &s.radius[i]);
-    const FloatVec squared = hn::Max(dot3(x, y, z, x, y, z), set(1e-30f));
     const FloatVec inverse = inverse_sqrt(squared), inverse_squared = inverse * inverse;
-    const FloatVec along = dot3(x, y, z, hn::Load(d, &s.ux[i]), hn::Load(d, &s.uy[i]), hn::Load(d, &s.uz[i]));
+    const FloatVec along = dot3(v.x, v.y, v.z, v.ux, v.uy, v.uz);
     const FloatVec cosine = along * inverse;
     const FloatVec sine_squared = hn::Max(one - cosine * cosine, set(1e-12f));
     const FloatVec sine_alpha = sine_squared * inverse_sqrt(sine_squared);
-    const FloatVec in_distances = length * length * inverse_squared;
+    const FloatVec in_distances = v.length * v.length * inverse_squared;
     const FloatVec higher = one + set(0.125f) * in_distances * (set(5.0f) * cosine * cosine - one);
-    const FloatVec solid = set(2.0f) * radius * length * sine_alpha * inverse_squared * higher;
-    const FloatVec width = set(2.0f) * radius;
-    const FloatMask near =
-        hn::Or(length * length > set(longest * longest) * squared, width * width > set(widest * widest) * squared);
-    hn::StoreU(x, d, &to.x[at]), hn::StoreU(y, d, &to.y[at]), hn::StoreU(z, d, &to.z[at]);
-    hn::StoreU(hn::IfThenZeroElse(near, solid), d, &to.solid_angle[at]);
+    const FloatVec solid = set(2.0f) * v.radius * v.length * sine_alpha * inverse_squared * higher;
+    hn::StoreU(v.x, d, &to.x[at]), hn::StoreU(v.y, d, &to.y[at]), hn::StoreU(v.z, d, &to.z[at]);
+    hn::StoreU(hn::IfThenZeroElse(left_out, solid), d, &to.solid_angle[at]);
     const FloatVec row = sine_alpha * set(float(kOpacityRows - 1)) + set(0.5f);
     hn::StoreU(hn::ConvertTo(di, row), di, &to.opacity_row[at]);
+}
+
+/// Segments too near for one splat, by a bit each: those of which four parts are splats, and those that are not.
+struct NearSegments {
+    uint32_t quartered = 0, pieces = 0;
+};
+
+/// kMostLanes rows of `s` from `first` on as splats, but for those too near.
+HWY_INLINE NearSegments splat_rows(const ProjectedSegments& s, size_t first, const Viewpoint& from, float cell_size,
+                                   Splats& to) {
+    const Floats d;
+    const float longest = longest_splat(cell_size), quartered = longest_quartered(cell_size);
+    const float widest = widest_splat(cell_size);
+    NearSegments near;
+    for (size_t i = 0; i < kMostLanes; i += hn::Lanes(d)) {
+        const SeenSegments v = look_at(s, first + i, from);
+        const FloatVec squared = squared_distance(v), length = v.length * v.length,
+                       width = set(4.0f) * v.radius * v.radius;
+        const FloatMask wide = width > set(widest * widest) * squared;
+        const FloatMask is_near = hn::Or(wide, length > set(longest * longest) * squared);
+        const FloatMask is_piece = hn::Or(wide, length > set(quartered * quartered) * squared);
+        splat_segments(v, squared, is_near, to.size + i, to);
+        uint8_t bits[2][8] = {};
+        hn::StoreMaskBits(d, hn::AndNot(is_piece, is_near), bits[0]);
+        hn::StoreMaskBits(d, is_piece, bits[1]);
+        near.quartered |= uint32_t(bits[0][0] | bits[0][1] << 8) << i;
+        near.pieces |= uint32_t(bits[1][0] | bits[1][1] << 8) << i;
+    }
+    to.size += kMostLanes;
     return near;
+}
+
+/// Row `i` of `s`, to be quartered.
+inline void add_row(const ProjectedSegments& s, size_t i, uint32_t kind, QuarteredSegments& to) {
+    const size_t at = to.size++;
+    to.rows.x[at] = s.x[i], to.rows.y[at] = s.y[i], to.rows.z[at] = s.z[i];
+    to.rows.ux[at] = s.ux[i], to.rows.uy[at] = s.uy[i], to.rows.uz[at] = s.uz[i];
+    to.rows.length[at] = s.length[i], to.rows.radius[at] = s.radius[i], to.rows.taper[at] = s.taper[i];
+    to.kind[at] = int32_t(kind);
+}
+
+/// Four splats for each of the segments, whose list is emptied.
+template <class Depth>
+void draw_quarters(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ProjectionScratch& scratch,
+                   CellDepths<Depth>& to) {
+    const Floats d;
+    const Ints di;
+    QuarteredSegments& q = scratch.quartered;
+    for (size_t i = q.size; i < kMostLanes; ++i) q.rows.length[i] = q.rows.radius[i] = 0;
+    Splats& splats = scratch.splats;
+    for (const float place : {-0.75f, -0.25f, 0.25f, 0.75f}) {  // of the middle of a quarter, in halves of the segment
+        if (!splats.has_room(kMostLanes)) add_splats(igloo, from, opacity, splats, to);
+        for (size_t i = 0; i < kMostLanes; i += hn::Lanes(d)) {
+            SeenSegments v = look_at(q.rows, i, from);
+            const FloatVec along = set(0.5f * place) * v.length;
+            v.x = v.x + along * v.ux, v.y = v.y + along * v.uy, v.z = v.z + along * v.uz;
+            v.length = set(0.25f) * v.length;
+            v.radius = v.radius + set(place) * hn::Load(d, &q.rows.taper[i]);
+            const size_t at = splats.size + i;
+            splat_segments(v, squared_distance(v), hn::FirstN(d, 0), at, splats);
+            const IntVec first_row = hn::Load(di, &q.kind[i]) * hn::Set(di, kOpacityRows);
+            hn::StoreU(hn::LoadU(di, &splats.opacity_row[at]) + first_row, di, &splats.opacity_row[at]);
+        }
+        splats.size += kMostLanes;
+    }
+    q.size = 0;
 }
 
 /// Row `i` of `s` as a piece to be drawn exactly.
@@ -68,22 +150,23 @@ template <class Depth, class Original>
 HWY_INLINE void project_rows(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
                              const ProjectedSegments& s, size_t first, size_t count, const Original& original_of,
                              ProjectionScratch& scratch, CellDepths<Depth>& to) {
-    const float cell_size = in.igloo.cell_size();
-    const float longest = longest_splat(cell_size), widest = widest_splat(cell_size);
     Splats& splats = scratch.splats;
     if (!splats.has_room(kMostLanes)) add_splats(in.igloo, from, in.opacity, splats, to);
-    uint32_t near = 0;
-    for (size_t i = 0; i < kMostLanes; i += hn::Lanes(Floats())) {
-        uint8_t bits[8] = {};
-        hn::StoreMaskBits(Floats(), splat_segments(s, first + i, from, longest, widest, splats.size + i, splats), bits);
-        near |= uint32_t(bits[0] | bits[1] << 8) << i;
-    }
+    const size_t at = splats.size;
+    const NearSegments near = splat_rows(s, first, from, in.igloo.cell_size(), splats);
     if (!in.opacity.kind.empty())
         for (size_t i = 0; i < count; ++i)
-            splats.opacity_row[splats.size + i] += int32_t(in.opacity.kind[original_of(i)]) * kOpacityRows;
-    splats.size += count;
-    for (near &= (1u << count) - 1; near != 0; near &= near - 1) {
-        const size_t i = size_t(std::countr_zero(near));
+            splats.opacity_row[at + i] += int32_t(in.opacity.kind[original_of(i)]) * kOpacityRows;
+    const uint32_t all = (1u << count) - 1;
+    for (uint32_t bits = near.quartered & all; bits != 0; bits &= bits - 1) {
+        const size_t i = size_t(std::countr_zero(bits));
+        const uint32_t original = original_of(i);
+        if (unseen.holds(original, in.segments.stands_for)) continue;
+        add_row(s, first + i, in.opacity.kind_of(original), scratch.quartered);
+        if (scratch.quartered.size == kMostLanes) draw_quarters(in.igloo, from, in.opacity, scratch, to);
+    }
+    for (uint32_t bits = near.pieces & all; bits != 0; bits &= bits - 1) {
+        const size_t i = size_t(std::countr_zero(bits));
         const uint32_t original = original_of(i);
         if (unseen.holds(original, in.segments.stands_for)) continue;
         if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
@@ -102,6 +185,7 @@ void project_segments(const ProjectionInput& in, const Viewpoint& from, const Un
         };
         project_rows(in, from, unseen, s, i, kMostLanes, original_of, scratch, to);
     }
+    draw_quarters(in.igloo, from, in.opacity, scratch, to);
     finish_pieces(in.igloo, from, in.opacity, scratch, to);
 }
 
@@ -125,6 +209,7 @@ void project_chosen(const ProjectionInput& in, const Viewpoint& from, const Unse
         project_rows(
             in, from, unseen, block, 0, count, [&](size_t lane) { return chosen[i + lane].segment; }, scratch, to);
     }
+    draw_quarters(in.igloo, from, in.opacity, scratch, to);
     finish_pieces(in.igloo, from, in.opacity, scratch, to);
 }
 

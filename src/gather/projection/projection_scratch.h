@@ -28,9 +28,17 @@ struct ChosenSegment {
     float weight;
 };
 
+/// Segments of which four parts are splats.
+struct QuarteredSegments {
+    ProjectedSegments rows = make_rows(ProjectedSegments::kStreams);
+    AlignedArray<int32_t> kind = AlignedArray<int32_t>(ProjectedSegments::kStreams);  // of HairOpacity
+    size_t size = 0;
+};
+
 struct ProjectionScratch {
     std::vector<ChosenSegment> chosen;  // by layers of distance
     ProjectedSegments chosen_rows = make_rows(ProjectedSegments::kStreams);
+    QuarteredSegments quartered;
     Splats splats, cube_splats;
     PieceList pieces;
     Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
