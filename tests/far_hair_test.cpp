@@ -127,6 +127,28 @@ TEST_CASE("between corners, their mean by weight is nearly what a point sees") {
     CHECK(std::sqrt(squares / kPlaces) < 0.01 * exact / kPlaces);
 }
 
+TEST_CASE("a point's own fiber is left out of the hair near it") {
+    const ProjectedHair hair = long_hair(0.06f);
+    const SegmentView segments = hair.segments();
+    int tried = 0;
+    for (uint32_t s = 0; s < segments.size(); ++s) {
+        const Vec3 place = 0.5f * (segments.start(s) + segments.end(s));
+        const ProbeCube cube = cube_of(hair, 4, place);
+        const FarHair far = far_hair(hair, cube, 0);
+        const Vec3 middle = hair.projection.tree.origin + far.near_box.center;
+        const auto inside = [&](const Vec3& p) { return max_component(abs(p - middle)) < far.near_box.half; };
+        if (!inside(segments.start(s)) || !inside(segments.end(s)) || tried == 5) continue;
+        ++tried;
+        const Viewpoint from = at_corner(cube, 0);
+        ProjectionScratch scratch;
+        CellLight light;
+        project_near(hair.projection, from, {s, s}, far, Isa::automatic, scratch, light);
+        CHECK(mean_of(cells_of(light)) > mean_of(through_near_and_far(hair, from, far)));
+        CHECK(mean_of(cells_of(light)) == doctest::Approx(mean_of(seen(hair, from, {s, s}))).epsilon(0.002));
+    }
+    CHECK(tried == 5);
+}
+
 TEST_CASE("far hair is the same on every instruction set") {
     const ProjectedHair hair = long_hair(0.06f);
     const ProbeCube cube = cube_of(hair, 8, Vec3(0.2f));

@@ -121,7 +121,6 @@ TEST_CASE("directions in a cell are of unit length and are found in it again") {
     }
 }
 
-// Chi-square of k degrees of freedom has the mean k and the variance 2 k: 5 standard deviations.
 TEST_CASE("a cell's samples are in it, and no direction in it is farther from its middle than cells reach") {
     for (const uint32_t cells : {4u, 64u, 1000u}) {
         const Igloo igloo = make_igloo(cells);
@@ -138,6 +137,7 @@ TEST_CASE("a cell's samples are in it, and no direction in it is farther from it
     }
 }
 
+// Chi-square of k degrees of freedom has the mean k and the variance 2 k: 5 standard deviations.
 TEST_CASE("directions drawn uniformly fall into all cells alike") {
     for (const uint32_t cells : kCells) {
         CAPTURE(cells);

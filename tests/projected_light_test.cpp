@@ -99,6 +99,8 @@ TEST_CASE("far hair is shared where asked for, or where enough points are expect
     options.spp = 1;
     CHECK_FALSE(shared());
     options.spp = 4096;
+    CHECK_FALSE(shared());  // cubes are smaller than the reach of a point's own fiber
+    options.projection.probes = 8;
     CHECK(shared());
     options.projection.far_field = FarField::off;
     CHECK_FALSE(shared());

@@ -153,3 +153,23 @@ TEST_CASE("three channels of hair that is nearly gray say what the one of gray h
         CHECK(worst < 1e-5);  // the same sums in another order
     }
 }
+
+// Sixteen at a time: what is left of the sixteen must not count, nor what another point left in the scratch arrays.
+TEST_CASE("layers of which every segment is kept are all segments, however many there are") {
+    ProjectionScratch scratch;
+    CellLight light;
+    for (const int count : {1, 15, 17, 40}) {
+        CAPTURE(count);
+        const StrandSet strands = random_hair(count, 0.3f, 0.003f, 9);
+        Options options = without_gap();
+        options.projection.layer = 1e9f;
+        const ProjectedHair layers = projected(strands, gray_fiber(), ProjectionDetail::layers, options);
+        const ProjectedHair all = projected(strands, gray_fiber(), ProjectionDetail::all, options);
+        for (const Vec3& place : {Vec3(0.2f, 4, -1), Vec3(5, 0.1f, 2)}) {
+            const Viewpoint from{place, kUpright, Dome::sphere, {}};
+            project(layers.projection, layers.segments(), from, {}, Isa::automatic, scratch, light);
+            // Sums in another order.
+            CHECK(mean_difference(cells_of(light), seen(all, from)) < 1e-6);
+        }
+    }
+}

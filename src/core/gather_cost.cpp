@@ -31,7 +31,7 @@ double corners(const Scene& scene, const HairMeasure& hair, double share, int ac
     return std::min({8 * points, 6 * square(double(across)), 9 * shown});
 }
 
-constexpr double kMostFarBytes = 1 << 30;
+constexpr double kMostFarBytes = 1 << 30, kFarCellBytes = 4, kFarCubesBytes = 1500;  // of a corner
 
 }  // namespace
 
@@ -66,7 +66,11 @@ GatherCost estimate_gather_cost(const Scene& scene, const Options& options, Proj
     const GatherCost shared = cost(true);
     if (o.far_field == FarField::on) return shared;
     const double probes = corners(scene, hair, share, probes_across(o, true), spp * at_hair);
-    const bool fits = probes * 2 * o.cells * kFarCellBytes * (meshes ? 2 : 1) < kMostFarBytes;
+    // Shared far hair has the point's own fiber in it: what of that does not count must be near.
+    const double own = (kOwnStrandRadii + 1) * hair.area / std::max(2 * hair.length, 1e-300);
+    const double size = double(max_component(hair.bounds.extent())) / probes_across(o, true);
+    const bool fits =
+        own < size && probes * (2 * o.cells * kFarCellBytes * (meshes ? 2 : 1) + kFarCubesBytes) < kMostFarBytes;
     return fits && shared.build + shared.projection < alone.build + alone.projection ? shared : alone;
 }
 

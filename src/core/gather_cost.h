@@ -3,6 +3,8 @@
 // `type2: auto` chooses.
 #pragma once
 
+#include <bit>
+
 #include "core/options.h"
 #include "core/scene.h"
 
@@ -18,9 +20,9 @@ struct GatherCost {
     bool projection_pays() const { return build + projection < rays; }
 };
 
-/// Cubes across the hair whose corners are probes.
+/// Cubes across the hair whose corners are probes: a power of two.
 inline int probes_across(const ProjectionOptions& options, bool far_field) {
-    return options.probes > 0 ? options.probes : far_field ? 128 : 64;
+    return int(std::bit_ceil(unsigned(options.probes > 0 ? options.probes : far_field ? 128 : 64)));
 }
 
 /// `detail` is not automatic. `skies`: environments that shine; `polygons`: whether light comes from polygons.

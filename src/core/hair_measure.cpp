@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/camera.h"
+#include "core/rng.h"
 
 namespace tress {
 namespace {
@@ -48,14 +49,17 @@ double share_of_picture(const Camera& camera, const SegmentView& hair) {
     constexpr size_t kMostAsked = 100'000;
     const CameraFrame frame = camera_frame(camera);
     std::bitset<kParts * kParts> has_hair;
-    for (size_t i = 0; i < hair.size(); i += hair.size() / kMostAsked + 1) {
+    const size_t stride = hair.size() / kMostAsked + 1;
+    for (size_t block = 0; block < hair.size(); block += stride) {
+        // Any of the block: strands are of even length, and one place of each would say little.
+        const size_t i = std::min(block + size_t(hash(0x7368, block) % stride), hair.size() - 1);
         const DVec3 from_eye = 0.5 * (DVec3(hair.start(i)) + DVec3(hair.end(i))) - camera.from;
         const double depth = dot(from_eye, frame.forward) / dot(frame.forward, frame.forward);
         if (!(depth > 0)) continue;
         const double right = dot(from_eye, frame.right) / dot(frame.right, frame.right) / depth;
         const double up = dot(from_eye, frame.up) / dot(frame.up, frame.up) / depth;
         if (!(std::abs(right) < 1 && std::abs(up) < 1)) continue;
-        const auto part = [](double x) { return size_t(0.5 * (x + 1) * kParts); };
+        const auto part = [](double x) { return std::min(size_t(0.5 * (x + 1) * kParts), size_t(kParts - 1)); };
         has_hair.set(part(up) * kParts + part(right));
     }
     return double(has_hair.count()) / double(has_hair.size());

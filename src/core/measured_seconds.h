@@ -23,7 +23,6 @@ inline constexpr double kWalkSeconds = 117e-6;            // a walk of the tree:
 inline constexpr double kWalkSegments = 1.2e6;            // as many segments
 inline constexpr double kNearSeconds = 50e-6;             // the hair next to a point alone, and
 inline constexpr double kNearShare = 0.25;                // of the whole walk
-inline constexpr double kFarCellBytes = 4;                // of a cell of far hair
 inline constexpr double kTreeSegmentSeconds = 1.5e-6;     // a segment put into the tree
 inline constexpr double kTrialSeconds = 1.5;              // finding the gap by rays
 inline constexpr double kProbeRaySeconds = 0.85e-6;       // a ray of a probe

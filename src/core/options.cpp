@@ -121,7 +121,7 @@ std::vector<OptionField> option_fields(Options& o) {
         {"projection.directions", &j.directions, 1, 4096, "drawn a point by its scattering, seen through its cells"},
         {"projection.rays", &j.rays, 1, 4096, "a point of polygons, drawn by its scattering, to other polygons"},
         {"projection.probes", &j.probes, 0, 256,
-         "cubes across the hair, at whose corners light from beyond it is found"},
+         "cubes across the hair (a power of two; 0: 64, or 128 with far_field), whose corners see what is beyond"},
         {"projection.probe_cells", &j.probe_cells, 4, 4096, "a hemisphere of such a corner, a ray to polygons each"},
         {"projection.far_field", choice(j.far_field, kFarFieldNames), 0, 0,
          "hair that is not next to a point as seen from such a corner (tree)"},

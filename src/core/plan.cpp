@@ -248,9 +248,9 @@ private:
         if (why_not.empty()) {
             const GatherCost cost = estimate_gather_cost(
                 scene_, options_, detail, plan_.sky ? plan_.environments.size() : 0, plan_.polygon_gather);
-            plan_.far_field = cost.far_field;
             if (options_.type2 == GatherMethod::automatic) plan_.gather_cost = cost;
             if (plan_.gather_cost && !cost.projection_pays()) why_not = "rays are faster" + gather_estimate();
+            plan_.far_field = cost.far_field && why_not.empty();
         }
         if (why_not.empty()) plan_.projection = detail;
         decide(stage::kProjectedHair, why_not.empty(), detail_reason(detail), why_not);

@@ -74,7 +74,7 @@ struct NearSegments {
     uint32_t quartered = 0, pieces = 0;
 };
 
-/// kMostLanes rows of `s` from `first` on as splats, but for those too near.
+/// kMostLanes rows of `s` from `first` on as splats past the last of `to`, but for those too near.
 HWY_INLINE NearSegments splat_rows(const ProjectedSegments& s, size_t first, const Viewpoint& from, float cell_size,
                                    Splats& to) {
     const Floats d;
@@ -87,7 +87,10 @@ HWY_INLINE NearSegments splat_rows(const ProjectedSegments& s, size_t first, con
                        width = set(4.0f) * v.radius * v.radius;
         const FloatMask wide = width > set(widest * widest) * squared;
         const FloatMask is_near = hn::Or(wide, length > set(longest * longest) * squared);
-        const FloatMask is_piece = hn::Or(wide, length > set(quartered * quartered) * squared);
+        // A quarter may be a fifth nearer than the middle, and three quarters wider by its taper.
+        const FloatMask wide_quarter = width > set(0.2f * widest * widest) * squared;
+        const FloatMask long_quarter = length > set(quartered * quartered) * squared;
+        const FloatMask is_piece = hn::Or(wide, hn::And(is_near, hn::Or(wide_quarter, long_quarter)));
         splat_segments(v, squared, is_near, to.size + i, to);
         uint8_t bits[2][8] = {};
         hn::StoreMaskBits(d, hn::AndNot(is_piece, is_near), bits[0]);
@@ -95,7 +98,6 @@ HWY_INLINE NearSegments splat_rows(const ProjectedSegments& s, size_t first, con
         near.quartered |= uint32_t(bits[0][0] | bits[0][1] << 8) << i;
         near.pieces |= uint32_t(bits[1][0] | bits[1][1] << 8) << i;
     }
-    to.size += kMostLanes;
     return near;
 }
 
@@ -115,6 +117,7 @@ void draw_quarters(const Igloo& igloo, const Viewpoint& from, const HairOpacity&
     const Floats d;
     const Ints di;
     QuarteredSegments& q = scratch.quartered;
+    if (q.size == 0) return;
     for (size_t i = q.size; i < kMostLanes; ++i) q.rows.length[i] = q.rows.radius[i] = 0;
     Splats& splats = scratch.splats;
     for (const float place : {-0.75f, -0.25f, 0.25f, 0.75f}) {  // of the middle of a quarter, in halves of the segment
@@ -154,6 +157,7 @@ HWY_INLINE void project_rows(const ProjectionInput& in, const Viewpoint& from, c
     if (!splats.has_room(kMostLanes)) add_splats(in.igloo, from, in.opacity, splats, to);
     const size_t at = splats.size;
     const NearSegments near = splat_rows(s, first, from, in.igloo.cell_size(), splats);
+    splats.size += count;
     if (!in.opacity.kind.empty())
         for (size_t i = 0; i < count; ++i)
             splats.opacity_row[at + i] += int32_t(in.opacity.kind[original_of(i)]) * kOpacityRows;

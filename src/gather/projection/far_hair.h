@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Hair that is seen nearly alike from all places next to a corner of the probe grid: all but what is in a box of cubes
 // about the corner, as seen from the corner itself. Places next to the corner project the hair of the box themselves,
-// so that no hair counts twice, and none is lost. Drawing one of the eight corners about a place by its weight
-// interpolates transmittance, not depth, over many points.
+// so that no hair counts twice, and none is lost; but a point's own fiber is left out only within the box. Drawing one
+// of the eight corners about a place by its weight interpolates transmittance, not depth, over many points. The cells
+// of a corner stand one way for all points.
 #pragma once
 
 #include <cmath>
@@ -12,6 +13,8 @@
 #include "gather/projection/moment_tree.h"
 
 namespace tress {
+
+inline constexpr int kNearCubes = 2;  // of the grid, from a corner to the faces of its box
 
 /// Optical depth as a fourth root of transmittance, ten bits a channel: transmittance is within 0.002. Depths beyond
 /// kLargest become that.

@@ -7,7 +7,6 @@
 namespace tress {
 namespace {
 
-constexpr float kNearCubes = 2;      // of the probe grid, from a corner to the end of what is near; docs/projection.md
 constexpr float kCubesAcross = 256;  // of the smallest, over the hair
 
 ProjectionInput input_of(const HairProjection& p) {
@@ -82,6 +81,7 @@ FarHair find_far_hair(const HairProjection& p, const Viewpoint& from, float size
     FarHair far;
     far.near_box = {from.position - p.tree.origin, kNearCubes * size, size};
     projection_kernels(isa).project_far(in, from, far, scratch);
+    far.near.shrink_to_fit();
     far.depth = p.opacity.gray ? packed(scratch.gray) : packed(scratch.color);
     return far;
 }

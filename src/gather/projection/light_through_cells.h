@@ -12,7 +12,8 @@ namespace tress {
 
 class LightThroughCells {
 public:
-    /// `probe`: by which `seen` was found; null: light from among the hair is left out. The igloo is turned by `key`.
+    /// `probe`: by which `seen` was found; null: light from among the hair is left out. The igloo is turned by `key`,
+    /// or as that of the probe where it has far hair.
     Rgb operator()(const PreparedScene& prepared, const ShadingPoint& point, const LightProbe* probe,
                    std::span<const SeenLight> seen, uint64_t key, Isa isa);
 

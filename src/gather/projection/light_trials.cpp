@@ -27,19 +27,18 @@ std::vector<LightTrial> make_light_trials(const Scene& scene, const Plan& plan, 
         const Sampler sampler{hash(kKey, i), 0};
         std::vector<DrawnDirection> directions;
         DirectionDraw()(scene, prepared, plan, t.point, sampler, kDirections, directions);
-        if (!prepared.mesh.empty()) {
-            const Igloo& igloo = prepared.probes->igloo();
-            t.probe = make_light_probe(scene, prepared, plan, igloo, t.point.position, t.point.excluded, hash(kKey, i),
-                                       options.isa);
-            find_seen_light(*t.probe, igloo, t.point, directions, t.seen);
-        } else {
-            SeenLightByRays()(scene, prepared, plan, options, t.point, directions, t.seen);
-        }
         if (plan.far_field) {
             ProbesOfPoints probes;
             probes.find(scene, prepared, plan, options, {&t.point, 1}, {&sampler, 1});
             t.probe = probes.of(0);
+        } else if (prepared.probes) {
+            t.probe = make_light_probe(scene, prepared, plan, prepared.probes->igloo(), t.point.position,
+                                       t.point.excluded, hash(kKey, i), options.isa);
         }
+        if (t.probe && !t.probe->cells.empty())
+            find_seen_light(*t.probe, prepared.probes->igloo(), t.point, directions, t.seen);
+        else
+            SeenLightByRays()(scene, prepared, plan, options, t.point, directions, t.seen);
     });
     return trials;
 }

@@ -11,7 +11,7 @@ namespace tress {
 
 struct LightTrial {
     ShadingPoint point;
-    std::optional<LightProbe> probe;  // the point's own, or by which far hair is seen; none: neither is needed
+    std::optional<LightProbe> probe;  // the point's own, or the one by which it sees far hair; none: no need
     std::vector<SeenLight> seen;
 };
 

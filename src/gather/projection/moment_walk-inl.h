@@ -256,9 +256,10 @@ private:
     ProjectionScratch& scratch_;
     CellDepths<Depth>& to_;
     Vec3 at_;
-    float per_half_;  // distance at which a cube of half side 1 is taken
+    float per_half_;  // distance at which a cube is taken whose parent is of half side 1
     float splats_at_reach_, own_reach_;
-    MomentCube stack_[8 * 24];
+    static constexpr size_t kDeepest = 24;  // of the tree (kMostDepth of moment_tree.cpp), and some
+    MomentCube stack_[8 * kNearCubes * kNearCubes * kNearCubes + 8 * kDeepest];
     size_t entries_ = 0;
 };
 

@@ -28,7 +28,8 @@ struct ProjectionKernels {
     void (*project_segments)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_chosen)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_tree)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
-    /// Of the tree, only the hair in the cubes of `far`, or all but that: then these are listed.
+    /// Likewise, but starting from the depths of `far`: the hair in its box. And all hair but that, whose cubes are
+    /// then listed in `far`.
     void (*project_near)(const ProjectionInput&, const Viewpoint&, const Unseen&, const FarHair& far,
                          ProjectionScratch&);
     void (*project_far)(const ProjectionInput&, const Viewpoint&, FarHair& far, ProjectionScratch&);

@@ -10,8 +10,8 @@ namespace tress {
 /// Any way round.
 Frame turned_at_random(uint64_t key);
 
-/// Turned at random by `key`, so that what error the cells leave is noise and no pattern: about the normal at a
-/// polygon, any way round at a fiber.
+/// Turned at random by `key` (where points share no far hair), so that what error the cells leave is noise and no
+/// pattern: about the normal at a polygon, any way round at a fiber.
 Viewpoint viewpoint_of(const ShadingPoint& point, uint64_t key);
 
 /// The fiber's own segments.

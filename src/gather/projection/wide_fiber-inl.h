@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "core/sampling.h"
+#include "gather/projection/igloo.h"
 #include "gather/projection/projection_scratch.h"
 #include "gather/projection/vector_math-inl.h"
 
@@ -79,6 +80,13 @@ inline float solid_angle(const WidePiece& p) {
     return even * (5 * width_at(-kNode) + 8 * width_at(0) + 5 * width_at(kNode)) / (18 * whole);
 }
 
+/// Unit direction of the middle of the piece's axis.
+inline Vec3 middle_of(const WidePiece& p) {
+    const Vec3 middle = p.foot * p.n + 0.5f * (p.first + p.last) * p.u;
+    const float far = length(middle);
+    return far > 0 ? middle / far : p.n;
+}
+
 /// Of a vector of directions, which may be within `around` of one that meets the piece.
 HWY_INLINE FloatMask near_piece(const WidePiece& p, FloatVec x, FloatVec y, FloatVec z) {
     const FloatVec along = dot3(x, y, z, set(p.u.x), set(p.u.y), set(p.u.z));
@@ -103,7 +111,7 @@ HWY_INLINE FloatMask meets(const WidePiece& p, FloatVec x, FloatVec y, FloatVec 
     return hn::And(hn::And(beside, within), ahead > hn::Zero(Floats()));
 }
 
-/// Calls on_cells(first cell, one bit a cell) for cells that may see the piece, in order.
+/// Calls on_cell(cell) for each of the first `cells` that may see the piece, in order.
 template <class OnCell>
 HWY_INLINE void for_cells_near(const Igloo& igloo, size_t cells, const WidePiece& piece, const OnCell& on_cell) {
     const Floats d;
@@ -152,14 +160,18 @@ inline void cover(const Igloo& igloo, const Viewpoint& from, const HairOpacity& 
         samples += met;
         if (met > 0 && cell < cells) to.covered.push_back({uint32_t(cell), uint32_t(met)});
     });
-    if (samples == 0) return;
+    if (samples == 0) {  // smaller than what a sample stands for
+        const uint32_t cell = cell_of(igloo, middle_of(piece));
+        if (cell < cells) to.covered.push_back({cell, 1});
+        samples = 1;
+    }
     const float share = share_of_sample(igloo, piece, samples);
     for (const auto& [cell, met] : to.covered) {
         const Vec3 w(igloo.center_x[cell], igloo.center_y[cell], igloo.center_z[cell]);
         const float ahead = dot(w, piece.n), aside = dot(w, piece.b);
         size_t of_sums = cell;
         if (!from.sight.empty()) {
-            const float distance = piece.foot / std::max(ahead, 1e-3f);
+            const float distance = piece.foot * std::max(ahead, 0.0f) / std::max(ahead * ahead + aside * aside, 1e-12f);
             if (distance * distance > from.sight[cell]) of_sums += cells;
         }
         Rgbx& sum = to.absorbed[of_sums];
