@@ -7,11 +7,11 @@
 namespace tress {
 
 inline constexpr double kShadeSeconds = 0.45e-6;     // a way to a light, without what is between
-inline constexpr double kRaySeconds = 0.67e-6;       // a ray from hair, and
-inline constexpr double kCrossingSeconds = 0.31e-6;  // each fiber that it crosses
+inline constexpr double kRaySeconds = 0.94e-6;       // a ray from hair, and
+inline constexpr double kCrossingSeconds = 0.43e-6;  // each fiber that it crosses
 
 // Type 1 by shadow maps.
-inline constexpr double kAskSeconds = 0.78e-6;       // a short ray and a look-up
+inline constexpr double kAskSeconds = 1.1e-6;        // a short ray and a look-up
 inline constexpr double kSegmentSeconds = 0.72e-6;   // a segment put on a map, and
 inline constexpr double kFragmentSeconds = 0.27e-6;  // each texel that it touches
 
