@@ -11,6 +11,7 @@
 #include "tools/plan.h"
 #include "tools/render.h"
 #include "tools/show.h"
+#include "tools/study/study.h"
 #include "tools/trace.h"
 
 namespace {
@@ -33,6 +34,7 @@ int run(int argc, char** argv) {
     tress::add_groom_command(app);
     tress::add_compare_command(app);
     tress::add_show_command(app);
+    tress::add_study_command(app);
     tress::add_trace_command(app);
     try {
         app.parse(argc, argv);

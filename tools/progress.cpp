@@ -34,16 +34,16 @@ void Progress::update(double done, const std::string& note) {
     if (quiet_) return;
     done = std::clamp(done, 0.0, 1.0);
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const std::string left = done > 0 ? clock_text(elapsed * (1 - done) / done) + " left" : "";
+    const std::string left = done > 0 ? clock_text(elapsed * (1 - done) / done) + " left, " : "";
     if (terminal_) {
         const int filled = int(done * kBarWidth);
         const std::string bar = std::string(size_t(filled), '=') + std::string(size_t(kBarWidth - filled), ' ');
-        std::fprintf(stderr, "\r%s [%s] %3.0f %%  %s  %s\033[K", what_.c_str(), bar.c_str(), 100 * done, left.c_str(),
+        std::fprintf(stderr, "\r%s [%s] %3.0f %%  %s%s\033[K", what_.c_str(), bar.c_str(), 100 * done, left.c_str(),
                      note.c_str());
         std::fflush(stderr);
     } else if (done - last_shown_ >= kLineStep) {
         last_shown_ = done;
-        std::fprintf(stderr, "%s: %.0f %%, %s, %s\n", what_.c_str(), 100 * done, left.c_str(), note.c_str());
+        std::fprintf(stderr, "%s: %.0f %%, %s%s\n", what_.c_str(), 100 * done, left.c_str(), note.c_str());
     }
 }
 

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <bit>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -31,10 +32,16 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 struct RenderArguments {
     SceneArguments scene;
     std::string output, stats;
-    bool quiet = false;
+    bool snapshots = false, quiet = false;
 };
 
 constexpr int kPasses = 50, kLongestPass = 8;  // progress shows at least this often; more samples a pass help caches
+
+/// "a.exr" at 4 samples a pixel: "a-4.exr".
+std::string snapshot_path(const std::string& exr, int samples) {
+    const std::filesystem::path path(exr);
+    return (path.parent_path() / (path.stem().string() + "-" + std::to_string(samples) + ".exr")).string();
+}
 
 std::string png_path(const std::string& exr) { return std::filesystem::path(exr).replace_extension(".png").string(); }
 
@@ -46,13 +53,20 @@ void check_outputs(const RenderArguments& arguments) {
     if (!arguments.stats.empty()) check_writable(arguments.stats);
 }
 
-/// All samples, or as many passes as begin before the time is up.
+/// Samples of the next pass: no more than there were before, so that powers of two are met, and a short time is kept.
+int next_pass(int samples, const Options& options) {
+    const int longest = int(std::bit_floor(unsigned(std::clamp(options.spp / kPasses, 1, kLongestPass))));
+    return std::min({longest, std::max(samples, 1), options.spp - samples});
+}
+
+/// All samples, or as many passes as begin before the time is up. `after_pass` is called after each.
+template <class AfterPass>
 void render_passes(RenderState& state, const Scene& scene, const PreparedScene& prepared, const Plan& plan,
-                   const Options& options, bool quiet) {
+                   const Options& options, bool quiet, const AfterPass& after_pass) {
     Progress progress("render", quiet);
-    const int longest = std::clamp(options.spp / kPasses, 1, kLongestPass);
     while (state.samples < options.spp && (options.time == 0 || state.seconds < options.time || state.samples == 0)) {
-        advance(state, scene, prepared, plan, options, std::min(longest, options.spp - state.samples));
+        advance(state, scene, prepared, plan, options, next_pass(state.samples, options));
+        after_pass();
         const double by_samples = double(state.samples) / options.spp;
         const double by_time = options.time > 0 ? state.seconds / options.time : 0;
         progress.update(std::max(by_samples, by_time), std::to_string(state.samples) + " spp");
@@ -144,7 +158,12 @@ void run(const RenderArguments& arguments) {
     const PreparedScene prepared = prepare(scene, plan, options);
     stats.build_seconds = seconds_since(build_start);
     RenderState state = make_state(scene, plan);
-    render_passes(state, scene, prepared, plan, options, arguments.quiet);
+    render_passes(state, scene, prepared, plan, options, arguments.quiet, [&] {
+        if (!arguments.snapshots || !std::has_single_bit(unsigned(state.samples))) return;
+        const std::string file = snapshot_path(arguments.output, state.samples);
+        write_exr(file, develop(state.film));
+        stats.snapshots.push_back({state.samples, state.seconds, file});
+    });
 
     stats.render_seconds = state.seconds;
     stats.stages = prepared.costs;
@@ -188,6 +207,8 @@ void add_render_command(CLI::App& app) {
     add_scene_arguments(*command, arguments->scene);
     command->add_option("-o,--output", arguments->output, "the EXR; the PNG lies beside it")->required();
     command->add_option("--stats", arguments->stats, "JSON file for times, memory and what was left out");
+    command->add_flag("--snapshots", arguments->snapshots,
+                      "also keeps the picture at each power of two of samples a pixel: NAME-1.exr, NAME-2.exr ...");
     command->add_flag("--quiet", arguments->quiet, "no progress");
     command->callback([arguments] { run(*arguments); });
 }

@@ -36,6 +36,12 @@ nlohmann::ordered_json to_json(const ProjectionReport& report) {
             {"bias", report.error.bias}};
 }
 
+nlohmann::ordered_json to_json(const std::vector<Snapshot>& snapshots) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Snapshot& s : snapshots) list.push_back({{"spp", s.spp}, {"seconds", s.seconds}, {"file", s.file}});
+    return list;
+}
+
 }  // namespace
 
 uint64_t peak_rss_bytes() {
@@ -64,6 +70,7 @@ nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
             {"types_on_hair", to_json(stats.types_on_hair)},
             {"photons", stats.photons.lights.empty() ? Json() : to_json(stats.photons)},
             {"projection", stats.projection ? to_json(*stats.projection) : Json()},
+            {"snapshots", to_json(stats.snapshots)},
             {"spp", stats.spp},
             {"threads", stats.threads},
             {"isa", stats.isa},

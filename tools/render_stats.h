@@ -19,6 +19,13 @@ struct ProjectionReport {
     ProjectionError error;
 };
 
+/// A picture that was kept on the way.
+struct Snapshot {
+    int spp = 0;
+    double seconds = 0;  // of rendering until then
+    std::string file;
+};
+
 struct RenderStats {
     double load_seconds = 0, build_seconds = 0, render_seconds = 0, total_seconds = 0;
     std::vector<StageCost> stages;
@@ -28,6 +35,7 @@ struct RenderStats {
     std::vector<TypeShare> types, types_on_hair;
     PhotonStatistics photons;
     std::optional<ProjectionReport> projection;
+    std::vector<Snapshot> snapshots;
     int spp = 0, threads = 0;
     std::string isa;  // the one used
     uint64_t segments = 0, dropped_segments = 0;

@@ -54,6 +54,21 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     command.add_option("--set", arguments.sets, help)->expected(1)->take_all();
 }
 
+std::vector<std::string> to_command_line(const SceneArguments& arguments) {
+    std::vector<std::string> words;
+    const auto add = [&](const std::string& flag, const std::string& value) {
+        words.push_back(flag + "=" + value);  // one word: a value may begin with a dash
+    };
+    if (!arguments.scene.empty()) words.push_back(arguments.scene);
+    if (!arguments.size.empty()) add("--size", arguments.size);
+    if (!arguments.data.empty()) add("--data", arguments.data);
+    for (const std::string& key : arguments.fiber) add("--fiber", key);
+    if (arguments.reference) words.push_back("--reference");
+    for (const std::string& assignment : arguments.sets) add("--set", assignment);
+    for (const auto& [key, text] : arguments.flags) add("--" + key, text);
+    return words;
+}
+
 void set_option(Options& options, const std::string& assignment) {
     const size_t equals = assignment.find('=');
     if (equals == std::string::npos) throw InputError("--set", "'" + assignment + "', expected key=value");

@@ -29,6 +29,9 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 /// the time allows.
 SceneDescription describe(const SceneArguments& arguments);
 
+/// The arguments again, as a command line has them: what a child process is given.
+std::vector<std::string> to_command_line(const SceneArguments& arguments);
+
 /// Sets an option from "key=value".
 void set_option(Options& options, const std::string& assignment);
 

@@ -31,8 +31,8 @@ unsigned char code(float linear, double noise) {
 
 }  // namespace
 
-void write_png(const std::string& path, const Image& image) {
-    if (image.empty()) throw InputError(path, "an empty picture");
+std::vector<unsigned char> png_bytes(const Image& image) {
+    if (image.empty()) throw InputError("picture", "an empty one, expected pixels");
     std::vector<unsigned char> codes;
     codes.reserve(image.pixel.size() * 3);
     for (size_t p = 0; p < image.pixel.size(); ++p) {
@@ -47,9 +47,15 @@ void write_png(const std::string& path, const Image& image) {
     std::vector<unsigned char> file(PNG_IMAGE_PNG_SIZE_MAX(png));
     png_alloc_size_t bytes = file.size();
     if (!png_image_write_to_memory(&png, file.data(), &bytes, 0, codes.data(), 0, nullptr))
-        throw InputError(path, std::string("cannot be made: ") + png.message);
+        throw InputError("picture", std::string("cannot be made a PNG: ") + png.message);
+    file.resize(bytes);
+    return file;
+}
+
+void write_png(const std::string& path, const Image& image) {
+    const std::vector<unsigned char> file = png_bytes(image);
     WholeFile out(path);
-    out.write(file.data(), bytes);
+    out.write(file.data(), file.size());
     out.commit();
 }
 

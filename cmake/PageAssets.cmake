@@ -1,0 +1,10 @@
+# Writes OUTPUT, a C++ source that holds the files CSS and SCRIPT as texts.
+set(text "#include \"tools/study/page_assets.h\"\n\nnamespace tress {\n")
+foreach(pair "kPageCss;${CSS}" "kPageScript;${SCRIPT}")
+  list(GET pair 0 name)
+  list(GET pair 1 file)
+  file(READ ${file} content)
+  string(APPEND text "const char* const ${name} = R\"tress_page(${content})tress_page\";\n")
+endforeach()
+string(APPEND text "}  // namespace tress\n")
+file(WRITE ${OUTPUT} "${text}")

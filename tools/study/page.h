@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The page of a study: one HTML file that needs nothing else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "io/svg_plot.h"
+#include "tools/study/html.h"
+
+namespace tress {
+
+/// A picture for the page's viewer. The first of a page is the reference.
+struct PagePicture {
+    std::string name;
+    LayeredImage layers;
+};
+
+struct Page {
+    std::string title;
+    std::vector<std::string> facts;  // what was studied and by what, text
+    std::string verdict;             // HTML; empty: none
+    std::vector<std::string> notes;  // HTML, below the verdict
+    std::vector<Table> tables;
+    std::vector<std::pair<Plot, std::string>> plots;  // with what is said below each, HTML
+    std::vector<PagePicture> pictures;
+    float exposure = 0;  // stops, of the viewer at first
+    bool plots_first = false;
+};
+
+std::string to_html(const Page& page);
+
+}  // namespace tress

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// page/page.css and page/page.js as text in the program: cmake/PageAssets.cmake writes the source.
+#pragma once
+
+namespace tress {
+extern const char* const kPageCss;
+extern const char* const kPageScript;
+}  // namespace tress

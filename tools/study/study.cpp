@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "tools/study/study.h"
+
+#include <memory>
+
+#include "tools/study/method_study.h"
+
+namespace tress {
+namespace {
+
+void add_method_study(CLI::App& study, const char* name, const char* help, MethodStudyKind kind) {
+    const auto a = std::make_shared<MethodStudyArguments>();
+    CLI::App* command = study.add_subcommand(name, help);
+    add_scene_arguments(*command, a->scene);
+    command->add_option("-o,--output", a->output, "folder for the page, its pictures and its figures")->required();
+    command
+        ->add_option(
+            "--row", a->rows,
+            "a row: methods of Types 1 to 3 in the paper's names (RT, DSM, P, -; OSM, CD, PT), then key=value: "
+            "\"RT/P/- projection.cells=64\"; without: the paper's six rows")
+        ->expected(1)
+        ->take_all();
+    command->add_option("--sweep", a->sweeps, "key=value,value,...: each row with each of them; more: their grid")
+        ->expected(1)
+        ->take_all();
+    command->add_flag("--all", a->all, "every combination of methods of Types 1 to 3, after the paper's rows");
+    command->add_option("--seeds", a->seeds, "runs a row [3; quick: 1]")->check(CLI::Range(1, 1000));
+    command
+        ->add_option("--reference-time", a->reference_seconds, "seconds of the reference, both halves [600; quick: 24]")
+        ->check(CLI::Range(1e-3, 1e7));
+    command->add_option("--references", a->references, "folder that keeps references [OUTPUT/reference]");
+    command->add_flag("--quick", a->quick, "a first page in under two minutes: small, one run of 3 s a row");
+    command->add_flag("--quiet", a->quiet, "no progress");
+    command->footer(
+        "--time: seconds of rendering a run [20; quick: 3]; --spp: samples a run instead. --size: [the scene's "
+        "shape, 160 pixels; quick: 96].\nWhat OUTPUT holds already of the same study is not done again.");
+    command->callback([a, kind] { run_method_study(*a, kind); });
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app) {
+    CLI::App* study = app.add_subcommand("study", "error against run time: tables, plots and a page");
+    study->require_subcommand(1);
+    add_method_study(*study, "methods", "the paper's table of methods, measured here: time, bias and noise a row",
+                     MethodStudyKind::methods);
+    add_method_study(*study, "convergence", "error against time, for chosen methods and options",
+                     MethodStudyKind::convergence);
+}
+
+}  // namespace tress

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "tools/study/study_scene.h"
+
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "accel/isa_targets.h"
+#include "core/plan.h"
+#include "core/scene_hash.h"
+#include "io/load_scene.h"
+#include "tools/machine.h"
+
+namespace tress {
+namespace {
+
+std::string hexadecimal(uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+}  // namespace
+
+StudyScene study_scene(const SceneArguments& arguments, const SceneDescription& description, const Scene& scene) {
+    StudyScene s;
+    s.arguments = arguments;
+    s.options = description.options;
+    s.name = arguments.scene.empty() ? "the built-in scene" : arguments.scene;
+    s.signature = hexadecimal(scene_hash(scene));
+    s.segments = scene.segments.point.size();
+    s.triangles = scene.mesh.triangles();
+    s.width = scene.camera.width;
+    s.height = scene.camera.height;
+    s.isa = isa_name(used_isa(s.options.isa));
+    s.threads = s.options.threads > 0 ? s.options.threads : tbb::info::default_concurrency();
+    s.processor = processor_name();
+    s.compiler = compiler_name();
+    s.program = program_signature();
+    return s;
+}
+
+StudyScene study_scene(const SceneArguments& arguments) {
+    const SceneDescription description = describe(arguments);
+    return study_scene(arguments, description, load_scene(description).scene);
+}
+
+std::string options_text(Options options, std::initializer_list<std::string_view> without) {
+    std::string text;
+    for (const OptionField& field : option_fields(options))
+        if (std::find(without.begin(), without.end(), field.key) == without.end())
+            text += field.key + "=" + option_text(field) + "\n";
+    return text;
+}
+
+Json header(const StudyScene& s, const char* kind) {
+    Json options = Json::object();
+    Options copy = s.options;
+    for (const OptionField& field : option_fields(copy)) options[field.key] = option_text(field);
+    return {{"line", "study"},
+            {"kind", kind},
+            {"scene", s.name},
+            {"scene_signature", s.signature},
+            {"segments", s.segments},
+            {"triangles", s.triangles},
+            {"width", s.width},
+            {"height", s.height},
+            {"processor", s.processor},
+            {"threads", s.threads},
+            {"isa", s.isa},
+            {"compiler", s.compiler},
+            {"version", TRESS_VERSION},
+            {"program", s.program},
+            {"seed", s.options.seed},
+            {"options", options}};
+}
+
+}  // namespace tress
