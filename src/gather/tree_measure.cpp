@@ -208,10 +208,10 @@ RayRate measure_rays(const KdTree& tree, const TreeRays& rays, Isa isa, double s
 }
 
 TreeMeasure measure_tree(const SegmentView& segments, const AccelOptions& accel, std::span<const TreeRays> rays,
-                         const Options& options, double seconds) {
+                         const Options& options, double seconds, const TreeLimits& limits) {
     TreeMeasure measure;
     const Moment start = Clock::now();
-    const KdTree tree = build_segment_tree(segments, accel);
+    const KdTree tree = build_segment_tree(segments, accel, limits);
     measure.build_seconds = seconds_since(start);
     measure.statistics = statistics(tree, segments.size(), accel);
     for (const TreeRays& set : rays)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "accel/statistics.h"
+#include "accel/tree_limits.h"
 #include "gather/tree_rays.h"
 
 namespace tress {
@@ -32,12 +33,15 @@ struct TreeMeasure {
 /// What a crossing lets through, and the transmittance below which a ray ends, in "transmittance": as `tress trace`.
 inline constexpr float kMeasuredTransmission = 0.7f, kMeasuredCutoff = 1e-3f;
 
-/// Builds the tree and traces each set for about `seconds` (half to one and a half times, and as much again for warming
-/// up and counting at the most), whatever the tree: batches are asked in an order of which every beginning is spread
-/// evenly over the picture, and the last one is left where time is up. By as many threads as TBB has here;
-/// options.isa is used. Counts are of the same rays for every tree, unless time is up.
+/// Of the trees that are measured: what is larger is refused.
+inline constexpr TreeLimits kMeasuredLimits{.bytes = 8ull << 30};
+
+/// Builds the tree (InputError: it would pass a limit) and traces each set for about `seconds`, whatever the tree: half
+/// to one and a half times, and 0.35 times for warming up and counting. Batches are asked in an order of which every
+/// beginning is spread evenly over the picture; the last one is left where time is up. By as many threads as TBB has
+/// here; options.isa is used. Counts are of the same rays for every tree, unless time is up.
 TreeMeasure measure_tree(const SegmentView& segments, const AccelOptions& accel, std::span<const TreeRays> rays,
-                         const Options& options, double seconds);
+                         const Options& options, double seconds, const TreeLimits& limits = kMeasuredLimits);
 
 /// The sets alone, on a tree that is there.
 RayRate measure_rays(const KdTree& tree, const TreeRays& rays, Isa isa, double seconds);
