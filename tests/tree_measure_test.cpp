@@ -58,11 +58,10 @@ TEST_CASE("work is the mean over the set, whatever the number of threads") {
     const Hair hair = clumped_hair(3000, 1);
     const TreeRays set = set_of("gather", HairQuery::transmittance, 1500);
     const KdTree tree = build_segment_tree(hair.view(), {});
-    std::vector<float> transmittance(1500);
     std::vector<uint32_t> crossings(1500);
     std::vector<RayWork> work(1500);
-    count_transmittance_work(tree, set.rays.for_hair(), kMeasuredTransmission, kMeasuredCutoff, transmittance,
-                             crossings, work, Isa::automatic);
+    count_transmittance_work(tree, set.rays.for_hair(), kMeasuredTransmission, kMeasuredCutoff, crossings, work,
+                             Isa::automatic);
     RayWork sum;
     for (const RayWork& w : work) sum += w;
     for (const size_t threads : {1u, 3u}) {

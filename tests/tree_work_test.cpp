@@ -24,16 +24,15 @@ NearestWork nearest_work(const KdTree& tree, const RayBatch& rays, Isa isa = Isa
     return out;
 }
 
-struct ConstantWork {
-    Constant answers;
+struct CrossingWork {
+    std::vector<uint32_t> crossings;
     std::vector<RayWork> work;
 };
-ConstantWork constant_work(const KdTree& tree, const RayBatch& rays, float transmission, float cutoff,
+CrossingWork crossing_work(const KdTree& tree, const RayBatch& rays, float transmission, float cutoff,
                            Isa isa = Isa::automatic) {
     const size_t n = rays.size();
-    ConstantWork out{{std::vector<float>(n), std::vector<uint32_t>(n)}, std::vector<RayWork>(n, {9, 9, 9})};
-    count_transmittance_work(tree, rays, transmission, cutoff, out.answers.transmittance, out.answers.crossings,
-                             out.work, isa);
+    CrossingWork out{std::vector<uint32_t>(n), std::vector<RayWork>(n, {9, 9, 9})};
+    count_transmittance_work(tree, rays, transmission, cutoff, out.crossings, out.work, isa);
     return out;
 }
 
@@ -70,7 +69,7 @@ TEST_CASE("one leaf: no steps, and a test for each segment") {
     rays.add(Vec3(0, 0, 5), Vec3(0, 0, 1));
     const std::vector<RayWork> expected{{0, 1, 20}, {0, 0, 0}};
     CHECK(nearest_work(tree, rays.batch()).work == expected);
-    CHECK(constant_work(tree, rays.batch(), 0.5f, 0).work == expected);
+    CHECK(crossing_work(tree, rays.batch(), 0.5f, 0).work == expected);
 }
 
 TEST_CASE("a ray ends where its query does") {
@@ -78,10 +77,10 @@ TEST_CASE("a ray ends where its query does") {
     REQUIRE(tree.nodes.size() == 7);
     const Rays rays = along_x();
     CHECK(nearest_work(tree, rays.batch()).work[0] == RayWork{2, 1, 1});
-    CHECK(constant_work(tree, rays.batch(), 0.5f, 0.6f).work[0] == RayWork{2, 1, 1});
-    CHECK(constant_work(tree, rays.batch(), 0.5f, 0.3f).work[0] == RayWork{2, 2, 2});
-    CHECK(constant_work(tree, rays.batch(), 0.5f, 0.2f).work[0] == RayWork{3, 3, 3});
-    CHECK(constant_work(tree, rays.batch(), 0.5f, 0).work[0] == RayWork{3, 4, 4});
+    CHECK(crossing_work(tree, rays.batch(), 0.5f, 0.6f).work[0] == RayWork{2, 1, 1});
+    CHECK(crossing_work(tree, rays.batch(), 0.5f, 0.3f).work[0] == RayWork{2, 2, 2});
+    CHECK(crossing_work(tree, rays.batch(), 0.5f, 0.2f).work[0] == RayWork{3, 3, 3});
+    CHECK(crossing_work(tree, rays.batch(), 0.5f, 0).work[0] == RayWork{3, 4, 4});
 }
 
 TEST_CASE("a skipped segment is tested, and a leaf that a ray does not touch is not") {
@@ -91,19 +90,19 @@ TEST_CASE("a skipped segment is tested, and a leaf that a ray does not touch is 
     CHECK(nearest_work(tree, rays.batch()).work[0] == RayWork{2, 2, 2});
     Rays down;
     down.add(Vec3(3, 5, 0), Vec3(0, -1, 0));
-    CHECK(constant_work(tree, down.batch(), 0.5f, 0).work[0] == RayWork{2, 1, 1});
+    CHECK(crossing_work(tree, down.batch(), 0.5f, 0).work[0] == RayWork{2, 1, 1});
 }
 
 TEST_CASE("empty leaves are no work") {
     const KdTree tree = halved(fence({-4, -4, 4}), 2);  // cut at 0, then at -2: nothing is beyond
     REQUIRE(tree.nodes.size() == 5);
-    CHECK(constant_work(tree, along_x().batch(), 0.5f, 0).work[0] == RayWork{2, 2, 3});
+    CHECK(crossing_work(tree, along_x().batch(), 0.5f, 0).work[0] == RayWork{2, 2, 3});
 }
 
 TEST_CASE("an empty tree is no work") {
     const KdTree tree = build_segment_tree(SegmentView{}, AccelOptions{});
     CHECK(nearest_work(tree, along_x().batch()).work[0] == RayWork{});
-    CHECK(constant_work(tree, along_x().batch(), 0.5f, 0).work[0] == RayWork{});
+    CHECK(crossing_work(tree, along_x().batch(), 0.5f, 0).work[0] == RayWork{});
 }
 
 TEST_CASE("counting changes no answer, and no instruction set, nor batch, changes a count") {
@@ -114,16 +113,16 @@ TEST_CASE("counting changes no answer, and no instruction set, nor batch, change
         const Rays rays = mixed_rays(3000, Vec3(0), 6);
         const RayBatch batch = rays.batch();
         const NearestWork near = nearest_work(tree, batch, Isa::scalar);
-        const ConstantWork through = constant_work(tree, batch, 0.7f, 1e-3f, Isa::scalar);
+        const CrossingWork through = crossing_work(tree, batch, 0.7f, 1e-3f, Isa::scalar);
         CHECK(near.hits == nearest(tree, batch, Isa::scalar));
-        CHECK(through.answers == constant(tree, batch, 0.7f, 1e-3f, Isa::scalar));
+        CHECK(through.crossings == constant(tree, batch, 0.7f, 1e-3f, Isa::scalar).crossings);
         for (const Isa isa : supported_isas()) {
             CAPTURE(int(isa));
             const NearestWork other_near = nearest_work(tree, batch, isa);
-            const ConstantWork other_through = constant_work(tree, batch, 0.7f, 1e-3f, isa);
+            const CrossingWork other_through = crossing_work(tree, batch, 0.7f, 1e-3f, isa);
             CHECK(other_near.hits == near.hits);
             CHECK(other_near.work == near.work);
-            CHECK(other_through.answers == through.answers);
+            CHECK(other_through.crossings == through.crossings);
             CHECK(other_through.work == through.work);
         }
         const NearestWork part = nearest_work(tree, batch.part(1000, 500));
@@ -135,8 +134,8 @@ TEST_CASE("counting changes no answer, and no instruction set, nor batch, change
 TEST_CASE("no ray works more where its cutoff is higher") {
     const KdTree tree = build_segment_tree(clumped_hair(3000, 9).view(), AccelOptions{});
     const Rays rays = mixed_rays(2000, Vec3(0), 10);
-    const ConstantWork all = constant_work(tree, rays.batch(), 0.7f, 0),
-                       some = constant_work(tree, rays.batch(), 0.7f, 0.2f);
+    const CrossingWork all = crossing_work(tree, rays.batch(), 0.7f, 0),
+                       some = crossing_work(tree, rays.batch(), 0.7f, 0.2f);
     RayWork sum_all, sum_some;
     for (size_t i = 0; i < rays.size(); ++i) {
         CHECK(some.work[i].tests <= all.work[i].tests);

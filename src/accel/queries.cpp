@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "accel/queries.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "accel/highway_targets.h"
@@ -24,8 +23,7 @@ namespace tress {
 namespace HWY_NAMESPACE {
 
 QueryKernels query_kernels() {
-    return {nearest_segment, nearest_triangle, occluded_triangle,  count_crossings,         transmittance,
-            crossings,       flights,          count_nearest_work, count_transmittance_work};
+    return {nearest_segment, nearest_triangle, occluded_triangle, count_crossings, transmittance, crossings, flights};
 }
 
 }  // namespace HWY_NAMESPACE
@@ -39,11 +37,6 @@ namespace {
 HWY_EXPORT(query_kernels);
 
 QueryKernels kernels_for(Isa isa) { return HWY_DISPATCH_TABLE(query_kernels)[kernel_index(isa)](); }
-
-void to_powers(float transmission, std::span<const uint32_t> crossings, std::span<float> transmittance) {
-    TransmissionPowers power{double(transmission)};
-    for (size_t i = 0; i < crossings.size(); ++i) transmittance[i] = power(crossings[i]);
-}
 
 }  // namespace
 
@@ -64,22 +57,8 @@ void transmittance_constant(const KdTree& tree, const RayBatch& rays, float tran
     assert(transmission >= 0 && transmission <= 1);
     const uint32_t limit = first_below(double(transmission), double(cutoff));
     kernels_for(isa).count_crossings(tree, rays, limit, crossings);
-    to_powers(transmission, crossings.first(rays.size()), transmittance);
-}
-
-void count_nearest_work(const KdTree& tree, const RayBatch& rays, const NearestHits& hits, std::span<RayWork> work,
-                        Isa isa) {
-    std::fill(work.begin(), work.end(), RayWork{});
-    kernels_for(isa).count_nearest_work(tree, rays, hits, work);
-}
-
-void count_transmittance_work(const KdTree& tree, const RayBatch& rays, float transmission, float cutoff,
-                              std::span<float> transmittance, std::span<uint32_t> crossings, std::span<RayWork> work,
-                              Isa isa) {
-    std::fill(work.begin(), work.end(), RayWork{});
-    const uint32_t limit = first_below(double(transmission), double(cutoff));
-    kernels_for(isa).count_transmittance_work(tree, rays, limit, crossings, work);
-    to_powers(transmission, crossings.first(rays.size()), transmittance);
+    TransmissionPowers power{double(transmission)};
+    for (size_t i = 0; i < rays.size(); ++i) transmittance[i] = power(crossings[i]);
 }
 
 void transmittance(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, float cutoff,

@@ -2,7 +2,7 @@
 // The queries as compiled for one instruction set. Only queries.cpp needs this.
 #pragma once
 
-#include "accel/ray_work.h"
+#include "accel/queries.h"
 
 namespace tress {
 
@@ -15,10 +15,6 @@ struct QueryKernels {
     void (*transmittance)(const KdTree&, const RayBatch&, const Attenuation&, float cutoff, std::span<Rgb>);
     void (*crossings)(const KdTree&, const RayBatch&, Crossings&);  // appends; first already holds the 0
     void (*flights)(const KdTree&, const RayBatch&, const Attenuation&, std::span<const float> cutoff, Flights&);
-    /// As nearest_segment and count_crossings; add to the work of each ray.
-    void (*count_nearest_work)(const KdTree&, const RayBatch&, const NearestHits&, std::span<RayWork>);
-    void (*count_transmittance_work)(const KdTree&, const RayBatch&, uint32_t limit, std::span<uint32_t> counts,
-                                     std::span<RayWork>);
 };
 
 }  // namespace tress

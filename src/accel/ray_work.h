@@ -25,11 +25,10 @@ struct RayWork {
     }
 };
 
-/// As nearest_segment and transmittance_constant. `work`: one a ray.
+/// As nearest_segment, and as transmittance_constant without the products. `work`: one a ray.
 void count_nearest_work(const KdTree& tree, const RayBatch& rays, const NearestHits& hits, std::span<RayWork> work,
                         Isa isa);
 void count_transmittance_work(const KdTree& tree, const RayBatch& rays, float transmission, float cutoff,
-                              std::span<float> transmittance, std::span<uint32_t> crossings, std::span<RayWork> work,
-                              Isa isa);
+                              std::span<uint32_t> crossings, std::span<RayWork> work, Isa isa);
 
 }  // namespace tress

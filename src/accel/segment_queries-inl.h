@@ -11,7 +11,7 @@
 
 #include "accel/for_each_ray-inl.h"
 #include "accel/segment_test-inl.h"
-#include "accel/walks-inl.h"
+#include "accel/traverse-inl.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -130,6 +130,18 @@ struct SumDepths {
     }
 };
 
+namespace {  // what is made of it is called once in its source, and inlined
+
+/// Takes ray `i` of a batch through the tree: what a query does with its policy. ray_work.cpp has another.
+struct PlainWalk {
+    template <class Policy>
+    HWY_INLINE void operator()(const KdTree& tree, size_t, const LocalRay& ray, Policy& policy) const {
+        traverse(tree, ray, policy);
+    }
+};
+
+}  // namespace
+
 /// Calls run with the tree's ends and radii as template arguments.
 template <class Run>
 HWY_INLINE void with_shape(const KdTree& tree, const Run& run) {
@@ -158,11 +170,8 @@ void nearest_segment_by(const KdTree& tree, const RayBatch& rays, const NearestH
     if (tree.leaves.rows == segment_row::kVaryingRadius) return nearest_segment_of_shape<true>(tree, rays, out, walk);
     nearest_segment_of_shape<false>(tree, rays, out, walk);
 }
-void nearest_segment(const KdTree& tree, const RayBatch& rays, const NearestHits& out) {
+static inline void nearest_segment(const KdTree& tree, const RayBatch& rays, const NearestHits& out) {
     nearest_segment_by(tree, rays, out, PlainWalk{});
-}
-void count_nearest_work(const KdTree& tree, const RayBatch& rays, const NearestHits& out, std::span<RayWork> work) {
-    nearest_segment_by(tree, rays, out, CountedWalk{work});
 }
 
 template <class Walk>
@@ -178,16 +187,13 @@ void count_crossings_by(const KdTree& tree, const RayBatch& rays, uint32_t limit
         for_each_ray(tree, rays, trace, [&](size_t i) { counts[i] = 0; });
     });
 }
-void count_crossings(const KdTree& tree, const RayBatch& rays, uint32_t limit, std::span<uint32_t> counts) {
+static inline void count_crossings(const KdTree& tree, const RayBatch& rays, uint32_t limit,
+                                   std::span<uint32_t> counts) {
     count_crossings_by(tree, rays, limit, counts, PlainWalk{});
 }
-void count_transmittance_work(const KdTree& tree, const RayBatch& rays, uint32_t limit, std::span<uint32_t> counts,
-                              std::span<RayWork> work) {
-    count_crossings_by(tree, rays, limit, counts, CountedWalk{work});
-}
 
-void transmittance(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, float cutoff,
-                   std::span<Rgb> out) {
+static inline void transmittance(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, float cutoff,
+                                 std::span<Rgb> out) {
     const SegmentScene scene(tree);
     const double limit = -std::log(double(cutoff));
     with_shape(tree, [&]<Ends kEnds, bool kVarying>() {

@@ -51,7 +51,7 @@ public:
         if (query_ == HairQuery::nearest)
             count_nearest_work(tree_, rays, hits(), work_, isa_);
         else
-            count_transmittance_work(tree_, rays, kMeasuredTransmission, kMeasuredCutoff, t_, id_, work_, isa_);
+            count_transmittance_work(tree_, rays, kMeasuredTransmission, kMeasuredCutoff, id_, work_, isa_);
         RayWork sum;
         for (const RayWork& w : work_) sum += w;
         return sum;
