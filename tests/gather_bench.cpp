@@ -104,9 +104,9 @@ struct FlatRays {
     size_t batches() const { return (size() + kBatch - 1) / kBatch; }
     RayBatch batch(size_t k) const {
         const size_t first = k * kBatch, count = std::min(kBatch, size() - first);
-        const auto part = [&](const auto& values) { return std::span(values).subspan(first, count); };
-        return {part(rays.ox), part(rays.oy),     part(rays.oz),    part(rays.dx),    part(rays.dy),
-                part(rays.dz), part(rays.t_near), part(rays.t_far), part(skip_first), part(skip_last)};
+        const TraceRays& r = rays;
+        return RayBatch{r.ox, r.oy, r.oz, r.dx, r.dy, r.dz, r.t_near, r.t_far, skip_first, skip_last}.part(first,
+                                                                                                           count);
     }
 };
 

@@ -214,18 +214,29 @@ TEST_CASE("failed splits allow a finer tree") {
     CHECK(build_segment_tree(set.view(), options).nodes.size() > plain);
 }
 
+TEST_CASE("a tree of more bytes than allowed is refused while it grows, by any number of threads") {
+    const SegmentSet set = random_segments(60000, 0.05f, 0.002f);  // more than a task takes
+    const AccelOptions options = deep_options();
+    const uint64_t needed = bytes(build_segment_tree(set.view(), options));
+    for (const size_t threads : {1u, 2u}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        CHECK_NOTHROW(build_segment_tree(set.view(), options, {.bytes = needed}));
+        CHECK_THROWS_AS(build_segment_tree(set.view(), options, {.bytes = needed - needed / 100}), InputError);
+    }
+}
+
 TEST_CASE("more nodes or blocks than can be indexed are reported, not wrapped") {
     const SegmentSet set = random_segments(20000, 0.05f, 0.002f);
     AccelOptions options = deep_options();
     const size_t nodes = build_segment_tree(set.view(), options).nodes.size();
     REQUIRE(nodes > 0xffff / 16);
-    CHECK(build_segment_tree(set.view(), options, uint32_t(nodes)).nodes.size() == nodes);
-    CHECK_THROWS_AS(build_segment_tree(set.view(), options, uint32_t(nodes - 1)), InputError);
-    CHECK_THROWS_AS(build_segment_tree(set.view(), options, 0xffff / 16), InputError);
+    CHECK(build_segment_tree(set.view(), options, {uint32_t(nodes)}).nodes.size() == nodes);
+    CHECK_THROWS_AS(build_segment_tree(set.view(), options, {uint32_t(nodes - 1)}), InputError);
+    CHECK_THROWS_AS(build_segment_tree(set.view(), options, {0xffff / 16}), InputError);
 
     const SegmentSet same = coincident_segments(1600);  // one node, 100 blocks
-    CHECK(build_segment_tree(same.view(), {}, 100).nodes.size() == 1);
-    CHECK_THROWS_WITH_AS(build_segment_tree(same.view(), {}, 99),
+    CHECK(build_segment_tree(same.view(), {}, {100}).nodes.size() == 1);
+    CHECK_THROWS_WITH_AS(build_segment_tree(same.view(), {}, {99}),
                          "kd-tree: needs 100 blocks of leaf data, at most 99 can be indexed: use less geometry",
                          InputError);
 }

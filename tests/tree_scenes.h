@@ -156,14 +156,7 @@ struct Rays {
     }
     RayBatch batch(size_t first = 0, size_t count = size_t(-1)) const {
         count = std::min(count, size() - first);
-        const auto part = [&](const auto& values) {
-            return values.empty() ? std::span(values) : std::span(values).subspan(first, count);
-        };
-        RayBatch b;
-        b.ox = part(ox), b.oy = part(oy), b.oz = part(oz), b.dx = part(dx), b.dy = part(dy), b.dz = part(dz);
-        b.t_near = part(t_near), b.t_far = part(t_far);
-        b.skip_first = part(skip_first), b.skip_last = part(skip_last);
-        return b;
+        return RayBatch{ox, oy, oz, dx, dy, dz, t_near, t_far, skip_first, skip_last}.part(first, count);
     }
 };
 

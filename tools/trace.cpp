@@ -99,14 +99,8 @@ private:
         return std::span<T>(values).subspan(first, count);
     }
     RayBatch ray_batch(size_t first, size_t count) const {
-        const auto part = [&](const std::vector<float>& values) {
-            return std::span<const float>(values).subspan(first, count);
-        };
-        RayBatch batch;
-        batch.ox = part(rays_.ox), batch.oy = part(rays_.oy), batch.oz = part(rays_.oz);
-        batch.dx = part(rays_.dx), batch.dy = part(rays_.dy), batch.dz = part(rays_.dz);
-        batch.t_near = part(rays_.t_near), batch.t_far = part(rays_.t_far);
-        return batch;
+        const TraceRays& r = rays_;
+        return RayBatch{r.ox, r.oy, r.oz, r.dx, r.dy, r.dz, r.t_near, r.t_far, {}, {}}.part(first, count);
     }
 
     const KdTree& tree_;

@@ -15,13 +15,13 @@ constexpr float kFarAway = 1e18f;
 constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
 
 template <class Primitives, class Source>
-KdTree build_tree(const Source& source, const DVec3& origin, const AccelOptions& options, uint32_t index_limit,
+KdTree build_tree(const Source& source, const DVec3& origin, const AccelOptions& options, const TreeLimits& limits,
                   LeafBlocks (*pack)(const Primitives&, KdTopology&, uint32_t)) {
     KdTree tree;
     tree.origin = origin;
     const Primitives primitives(source, origin);
-    KdTopology topology = build_topology(primitives, options, index_limit);
-    tree.leaves = pack(primitives, topology, index_limit);
+    KdTopology topology = build_topology(primitives, options, limits);
+    tree.leaves = pack(primitives, topology, limits.index);
     tree.bounds = topology.bounds;
     tree.nodes = std::move(topology.nodes);
     return tree;
@@ -82,21 +82,21 @@ DVec3 round_middle(const DBounds& box) {
 
 }  // namespace
 
-KdTree build_segment_tree(const SegmentView& segments, const AccelOptions& options, uint32_t index_limit) {
+KdTree build_segment_tree(const SegmentView& segments, const AccelOptions& options, const TreeLimits& limits) {
     if (segments.size() == 0) return {};
     const Bounds box = bounds(segments);
     const DVec3 middle = round_middle({DVec3(box.lo), DVec3(box.hi)});
-    KdTree tree = build_tree<SegmentPrimitives>(segments, middle, options, index_limit, pack_segments);
+    KdTree tree = build_tree<SegmentPrimitives>(segments, middle, options, limits, pack_segments);
     tree.open_ends = segments.linked;
     tree.longest_segment = longest(segments);
     return tree;
 }
 
-KdTree build_triangle_tree(const TriangleMesh& mesh, const AccelOptions& options, uint32_t index_limit) {
+KdTree build_triangle_tree(const TriangleMesh& mesh, const AccelOptions& options, const TreeLimits& limits) {
     if (mesh.triangles() == 0) return {};
     DBounds box;
     for (const uint32_t corner : mesh.corner) box.add(DVec3(mesh.vertex(corner)));
-    return build_tree<TrianglePrimitives>(mesh, box.center(), options, index_limit, pack_triangles);
+    return build_tree<TrianglePrimitives>(mesh, box.center(), options, limits, pack_triangles);
 }
 
 }  // namespace tress

@@ -3,16 +3,15 @@
 #pragma once
 
 #include "accel/kd_tree.h"
+#include "accel/tree_limits.h"
 #include "core/mesh.h"
 #include "core/options.h"
 #include "core/segments.h"
 
 namespace tress {
 
-/// Throws InputError where the tree would need more nodes or blocks than `index_limit`.
-KdTree build_segment_tree(const SegmentView& segments, const AccelOptions& options,
-                          uint32_t index_limit = KdNode::kMaxIndex);
-KdTree build_triangle_tree(const TriangleMesh& mesh, const AccelOptions& options,
-                           uint32_t index_limit = KdNode::kMaxIndex);
+/// Throw InputError where the tree would pass a limit.
+KdTree build_segment_tree(const SegmentView& segments, const AccelOptions& options, const TreeLimits& limits = {});
+KdTree build_triangle_tree(const TriangleMesh& mesh, const AccelOptions& options, const TreeLimits& limits = {});
 
 }  // namespace tress

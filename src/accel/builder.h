@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Builds the topology of a kd-tree over any primitives that have
+//     kRows              of a block of leaf data, at least
 //     size()             how many
 //     reference(id)      their box
 //     clip_below(part, axis, s), clip_above(part, axis, s)
@@ -31,23 +32,24 @@ inline Bounds bounds(std::span<const Reference> references) {
 
 /// Of at least one primitive.
 template <class Primitives>
-KdTopology build_topology(const Primitives& primitives, const AccelOptions& options, uint32_t index_limit) {
+KdTopology build_topology(const Primitives& primitives, const AccelOptions& options, const TreeLimits& limits) {
     check_index_limit("primitives", primitives.size(), KdNode::kMaxIndex);
     ReferenceArray references = all_references(primitives);
     const Bounds box = bounds(references.span());
     const PendingNode root = root_node(box, primitives.size(), options);
+    GrowingBytes growing(limits.bytes, Primitives::kRows);
     std::unique_ptr<Subtree> tree;
     if (options.split == SplitMethod::exact) {
         tbb::enumerable_thread_specific<typename ExactNode<Primitives>::NoScratch> scratch;
         const auto span = references.span();
         std::vector<Reference> all(span.begin(), span.end());
         references = {};
-        tree = grow(ExactNode(primitives, std::move(all)), root, options, scratch);
+        tree = grow(ExactNode(primitives, std::move(all)), root, options, scratch, growing);
     } else {
         tbb::enumerable_thread_specific<ReferenceScratch> scratch;
-        tree = grow(LargeNode(primitives, std::move(references)), root, options, scratch);
+        tree = grow(LargeNode(primitives, std::move(references)), root, options, scratch, growing);
     }
-    return join(*tree, box, index_limit);
+    return join(*tree, box, limits.index);
 }
 
 }  // namespace tress

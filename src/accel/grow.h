@@ -15,6 +15,7 @@
 
 #include "accel/find_split.h"
 #include "accel/subtree.h"
+#include "accel/tree_limits.h"
 
 namespace tress {
 
@@ -49,7 +50,8 @@ void grow_serial(Node node, const PendingNode& pending, const AccelOptions& opti
 }
 
 template <class Node, class Scratch>
-std::unique_ptr<Subtree> grow(Node node, const PendingNode& pending, const AccelOptions& options, Scratch& scratch) {
+std::unique_ptr<Subtree> grow(Node node, const PendingNode& pending, const AccelOptions& options, Scratch& scratch,
+                              GrowingBytes& growing) {
     auto tree = std::make_unique<Subtree>();
     const size_t references = node.size();
     std::optional<Split> split;
@@ -62,6 +64,7 @@ std::unique_ptr<Subtree> grow(Node node, const PendingNode& pending, const Accel
         } else {
             grow_serial(node.serial(scratch.local()), pending, options, 0, tree->fragment);
         }
+        growing.add(tree->fragment.nodes);
         return tree;
     }
     auto [left_node, right_node] = node.divide(*split, options);
@@ -69,8 +72,8 @@ std::unique_ptr<Subtree> grow(Node node, const PendingNode& pending, const Accel
     tree->axis = split->axis;
     tree->split = split->position;
     tbb::parallel_invoke(
-        [&, &left = left_node] { tree->left = grow(std::move(left), pair.left, options, scratch); },
-        [&, &right = right_node] { tree->right = grow(std::move(right), pair.right, options, scratch); });
+        [&, &left = left_node] { tree->left = grow(std::move(left), pair.left, options, scratch, growing); },
+        [&, &right = right_node] { tree->right = grow(std::move(right), pair.right, options, scratch, growing); });
     return tree;
 }
 

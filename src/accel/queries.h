@@ -21,6 +21,11 @@ struct RayBatch {
     std::span<const uint32_t> skip_first, skip_last;
 
     size_t size() const { return ox.size(); }
+    /// Rays [first, first + count).
+    RayBatch part(size_t first, size_t count) const {
+        const auto of = [&](const auto& values) { return values.empty() ? values : values.subspan(first, count); };
+        return {of(ox), of(oy), of(oz), of(dx), of(dy), of(dz), of(t_near), of(t_far), of(skip_first), of(skip_last)};
+    }
 };
 
 /// Nearest hit of each ray: t = infinity and id = kNone where there is none. Of hits at the same t, the smaller id.

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "accel/leaf_blocks.h"
 #include "accel/reference.h"
 #include "core/segments.h"
 
@@ -20,6 +21,8 @@ static_assert(sizeof(AxisSegment) == 32);
 
 class SegmentPrimitives {
 public:
+    static constexpr uint32_t kRows = segment_row::kConstantRadius;
+
     SegmentPrimitives(const SegmentView& segments, const DVec3& origin);
 
     size_t size() const { return segments_.size(); }

@@ -130,6 +130,18 @@ struct SumDepths {
     }
 };
 
+namespace {  // what is made of it is called once in its source, and inlined
+
+/// Takes ray `i` of a batch through the tree: what a query does with its policy. ray_work.cpp has another.
+struct PlainWalk {
+    template <class Policy>
+    HWY_INLINE void operator()(const KdTree& tree, size_t, const LocalRay& ray, Policy& policy) const {
+        traverse(tree, ray, policy);
+    }
+};
+
+}  // namespace
+
 /// Calls run with the tree's ends and radii as template arguments.
 template <class Run>
 HWY_INLINE void with_shape(const KdTree& tree, const Run& run) {
@@ -140,12 +152,12 @@ HWY_INLINE void with_shape(const KdTree& tree, const Run& run) {
     run.template operator()<Ends::round, false>();
 }
 
-template <bool kVarying>
-void nearest_segment_of_shape(const KdTree& tree, const RayBatch& rays, const NearestHits& out) {
+template <bool kVarying, class Walk>
+void nearest_segment_of_shape(const KdTree& tree, const RayBatch& rays, const NearestHits& out, const Walk& walk) {
     const SegmentScene scene(tree);
     const auto trace = [&](size_t i, const LocalRay& ray) {
         NearestSegment<kVarying> nearest{scene, ray};
-        traverse(tree, ray, nearest);
+        walk(tree, i, ray, nearest);
         if (nearest.id == kNone) return store_miss(out, i);
         store_hit(out, i, ray.caller_t(nearest.t), nearest.id, nearest.u,
                   offset_in_radii(nearest.side, nearest.radius));
@@ -153,25 +165,35 @@ void nearest_segment_of_shape(const KdTree& tree, const RayBatch& rays, const Ne
     for_each_ray(tree, rays, trace, [&](size_t i) { store_miss(out, i); });
 }
 
-void nearest_segment(const KdTree& tree, const RayBatch& rays, const NearestHits& out) {
-    if (tree.leaves.rows == segment_row::kVaryingRadius) return nearest_segment_of_shape<true>(tree, rays, out);
-    nearest_segment_of_shape<false>(tree, rays, out);
+template <class Walk>
+void nearest_segment_by(const KdTree& tree, const RayBatch& rays, const NearestHits& out, const Walk& walk) {
+    if (tree.leaves.rows == segment_row::kVaryingRadius) return nearest_segment_of_shape<true>(tree, rays, out, walk);
+    nearest_segment_of_shape<false>(tree, rays, out, walk);
+}
+static inline void nearest_segment(const KdTree& tree, const RayBatch& rays, const NearestHits& out) {
+    nearest_segment_by(tree, rays, out, PlainWalk{});
 }
 
-void count_crossings(const KdTree& tree, const RayBatch& rays, uint32_t limit, std::span<uint32_t> counts) {
+template <class Walk>
+void count_crossings_by(const KdTree& tree, const RayBatch& rays, uint32_t limit, std::span<uint32_t> counts,
+                        const Walk& walk) {
     const SegmentScene scene(tree);
     with_shape(tree, [&]<Ends kEnds, bool kVarying>() {
         const auto trace = [&](size_t i, const LocalRay& ray) {
             CountCrossings<kEnds, kVarying> counter{scene, ray, limit};
-            traverse(tree, ray, counter);
+            walk(tree, i, ray, counter);
             counts[i] = std::min(counter.count, limit);
         };
         for_each_ray(tree, rays, trace, [&](size_t i) { counts[i] = 0; });
     });
 }
+static inline void count_crossings(const KdTree& tree, const RayBatch& rays, uint32_t limit,
+                                   std::span<uint32_t> counts) {
+    count_crossings_by(tree, rays, limit, counts, PlainWalk{});
+}
 
-void transmittance(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, float cutoff,
-                   std::span<Rgb> out) {
+static inline void transmittance(const KdTree& tree, const RayBatch& rays, const Attenuation& attenuation, float cutoff,
+                                 std::span<Rgb> out) {
     const SegmentScene scene(tree);
     const double limit = -std::log(double(cutoff));
     with_shape(tree, [&]<Ends kEnds, bool kVarying>() {

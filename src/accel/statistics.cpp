@@ -37,15 +37,16 @@ TreeStatistics statistics(const KdTree& tree, uint64_t primitives, const AccelOp
             ++s.leaves;
             s.empty_leaves += node.references() == 0;
             s.references += node.references();
-            s.sah_cost += share * double(node.references());
+            s.sah_tests += share * double(node.references());
             continue;
         }
-        s.sah_cost += share * double(options.traversal_cost);
+        s.sah_steps += share;
         Visit left{node.left(), visit.depth + 1, visit.cell}, right{node.left() + 1, visit.depth + 1, visit.cell};
         left.cell.hi[int(node.axis())] = right.cell.lo[int(node.axis())] = double(node.split());
         stack.push_back(right);
         stack.push_back(left);
     }
+    s.sah_cost = s.sah_steps * double(options.traversal_cost) + s.sah_tests;
     s.references_per_primitive = primitives > 0 ? double(s.references) / double(primitives) : 0;
     const uint64_t filled = s.leaves - s.empty_leaves;
     s.references_per_leaf = filled > 0 ? double(s.references) / double(filled) : 0;

@@ -17,7 +17,8 @@ namespace HWY_NAMESPACE {
 inline constexpr int kStackSize = 64;  // over the greatest depth of a tree: 60
 
 /// Calls policy.leaf(node, t_in, t_out), true where the ray may end, for each leaf on the ray that is not empty. The
-/// half-open intervals [t_in, t_out) are in order and cover [0, ray.length).
+/// half-open intervals [t_in, t_out) are in order and cover [0, ray.length). Calls policy.step(), where there is one,
+/// for each inner node.
 template <class Policy>
 HWY_INLINE void traverse(const KdTree& tree, const LocalRay& ray, Policy& policy) {
     struct Later {
@@ -31,6 +32,7 @@ HWY_INLINE void traverse(const KdTree& tree, const LocalRay& ray, Policy& policy
     float t_in = 0, t_out = ray.length;
     for (;;) {
         while (!node.is_leaf()) {
+            if constexpr (requires { policy.step(); }) policy.step();
             const uint32_t axis = node.axis();
             const float t = (node.split() - ray.plane_origin[axis]) * ray.inverse[axis];
             const uint32_t first = node.left() + ray.from_right[axis];

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "accel/leaf_blocks.h"
 #include "accel/reference.h"
 #include "core/mesh.h"
 
@@ -13,6 +14,8 @@ namespace tress {
 
 class TrianglePrimitives {
 public:
+    static constexpr uint32_t kRows = triangle_row::kRows;
+
     TrianglePrimitives(const TriangleMesh& mesh, const DVec3& origin);
 
     size_t size() const { return corners_.size(); }

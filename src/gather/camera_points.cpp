@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gather/camera_points.h"
 
+#include <algorithm>
+
 #include "core/rng.h"
 #include "core/sampling.h"
 
@@ -8,6 +10,8 @@ namespace tress {
 namespace {
 
 constexpr uint32_t kFilterDimension = 0;
+
+int tiles_across(int pixels) { return (pixels + kTileSize - 1) / kTileSize; }
 
 void clear(CameraHits& hits, size_t n) {
     for (auto* floats : {&hits.t, &hits.u, &hits.h, &hits.polygon_t, &hits.polygon_u, &hits.polygon_v})
@@ -17,6 +21,14 @@ void clear(CameraHits& hits, size_t n) {
 }
 
 }  // namespace
+
+int tile_count(const Camera& camera) { return tiles_across(camera.width) * tiles_across(camera.height); }
+
+Tile tile_of(const Camera& camera, int index) {
+    const int across = tiles_across(camera.width);
+    const int x = index % across * kTileSize, y = index / across * kTileSize;
+    return {x, y, std::min(x + kTileSize, camera.width), std::min(y + kTileSize, camera.height)};
+}
 
 void make_camera_rays(const Scene& scene, const CameraFrame& frame, const Options& options, const Tile& tile,
                       uint32_t sample, CameraPoints& to) {

@@ -15,6 +15,11 @@ namespace tress {
 struct Tile {
     int x0, y0, x1, y1;
 };
+inline constexpr int kTileSize = 32;  // pixels a side: 1024 rays a batch
+
+/// Tiles that the picture is rendered in, row by row.
+int tile_count(const Camera& camera);
+Tile tile_of(const Camera& camera, int index);
 
 /// Nearest hits of rays, hair or polygon. Rows belong together by index.
 struct CameraHits {

@@ -6,15 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "core/sampler.h"
 #include "gather/lamp_visibility.h"
-#include "gather/shading_point.h"
+#include "gather/light_rays.h"
 
 namespace tress {
-
-/// Dimensions of the sampler that a light uses: lights start at kFirstLightDimension, each with three groups of its
-/// own.
-inline constexpr uint32_t kFirstLightDimension = kSobolGroup, kDimensionsALight = 3 * kSobolGroup;
 
 class DirectLight {
 public:
@@ -26,9 +21,8 @@ public:
                     std::span<const Sampler> samplers, std::span<Rgb> radiance);
 
 private:
-    LampRays rays_;
-    std::vector<uint32_t> point_of_ray_;
-    std::vector<Rgb> unshadowed_, visibility_;
+    LightRays rays_;
+    std::vector<Rgb> visibility_;
     LampVisibility query_;
 };
 

@@ -8,14 +8,6 @@
 #include "gather/tile.h"
 
 namespace tress {
-namespace {
-
-constexpr int kTileSize = 32;  // pixels a side: 1024 rays a batch
-
-int tiles_across(int pixels) { return (pixels + kTileSize - 1) / kTileSize; }
-
-}  // namespace
-
 RenderState make_state(const Scene& scene, const Plan& plan) {
     return {make_film(scene.camera.width, scene.camera.height, plan), 0, 0, std::make_unique<StageClocks>()};
 }
@@ -24,15 +16,12 @@ void advance(RenderState& state, const Scene& scene, const PreparedScene& prepar
              const Options& options, int samples) {
     const auto start = std::chrono::steady_clock::now();
     const TileContext context{scene, prepared, plan, options, camera_frame(scene.camera)};
-    const int across = tiles_across(state.film.width), tiles = across * tiles_across(state.film.height);
     tbb::enumerable_thread_specific<TileScratch> scratch;
     tbb::parallel_for(
-        tbb::blocked_range<int>(0, tiles, 1),
+        tbb::blocked_range<int>(0, tile_count(scene.camera), 1),
         [&](const tbb::blocked_range<int>& range) {
             for (int t = range.begin(); t < range.end(); ++t) {
-                const int x = t % across * kTileSize, y = t / across * kTileSize;
-                const Tile tile{x, y, std::min(x + kTileSize, state.film.width),
-                                std::min(y + kTileSize, state.film.height)};
+                const Tile tile = tile_of(scene.camera, t);
                 for (int s = state.samples; s < state.samples + samples; ++s)
                     render_tile(context, tile, uint32_t(s), scratch.local(), *state.clocks, state.film);
             }
