@@ -46,8 +46,43 @@ TEST_CASE("a ray towards a sampled point of a lamp meets it there, with the dens
     }
 }
 
-TEST_CASE("the density of a lamp integrates to one over the directions that meet it") {
-    const QuadLight light = skew_quad({0.3, -0.2, 1.5}, 1);
+TEST_CASE(
+    "from near, a ray drawn towards a lamp meets it with the density of the sample, but for rounding at its rim") {
+    const QuadLight light = skew_quad({0, 0, 0}, 1);
+    const DVec3 normal = normalize(cross(light.edge[0], light.edge[1]));
+    constexpr int kCount = 1000;
+    for (const double height : {1e-5, 1e-2, 0.3, 1.0})
+        for (const double beside : {0.0, 0.3, 0.55}) {
+            const Vec3 from(height * normal + beside * light.edge[1]);
+            int missed = 0;
+            for (uint64_t k = 0; k < kCount; ++k) {
+                const LightSample s = sample(light, from, {random(7, k), random(8, k)});
+                CAPTURE(height);
+                CAPTURE(beside);
+                REQUIRE(s.pdf > 0);
+                const LampHit met = hit(light, from, s.direction);
+                if (met.pdf == 0) {
+                    ++missed;
+                    continue;
+                }
+                CHECK(met.pdf == s.pdf);
+                // The direction is rounded to float, by 1e-7 over the cosine at the lamp.
+                const double cosine = -dot(normal, DVec3(s.direction));
+                CHECK(met.distance == doctest::Approx(double(s.distance)).epsilon(1e-7 + 1e-7 / cosine));
+            }
+            // 1e-7 of rounding over the least angle that the lamp spans: 1e-4 where it is seen along its plane.
+            CHECK(missed <= 5);
+        }
+}
+
+TEST_CASE("the density of a lamp integrates to one over the directions that meet it, near and far") {
+    // The last is below the lamp by a fifth of its size, where it spans much of the hemisphere.
+    DVec3 center(0);
+    SUBCASE("far") { center = {0.3, -0.2, 2.5}; }
+    SUBCASE("near") { center = {0.3, -0.2, 1.5}; }
+    SUBCASE("below") { center = {0.1, -0.2, 0.2}; }
+    SUBCASE("beside") { center = {0.9, 0.2, 0.4}; }
+    const QuadLight light = skew_quad(center, 1);
     constexpr int kRows = 1000, kColumns = 1000;
     double sum = 0;
     for (int i = 0; i < kRows; ++i)
