@@ -141,6 +141,8 @@ StudyRow parse_row(const std::string& text) {
     if (methods) row.name = method_name(options);
     for (const std::string& setting : settings)
         if (!chooses_method(setting)) append_to_name(row.name, setting);
+    for (const StudyRow& paper : paper_rows())
+        if (paper.name == row.name) row.paper_seconds = paper.paper_seconds;
     return row;
 }
 

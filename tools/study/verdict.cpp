@@ -130,6 +130,7 @@ std::string projection_claim(const std::vector<Json>& rows, const Json& referenc
     constexpr const char* kLayer = "type2";
     if (!ray || !projection || !(*ray)["layers"].contains(kLayer) || !(*projection)["layers"].contains(kLayer))
         return {};
+    if (!(*ray)["paper_seconds"].is_number() || !(*projection)["paper_seconds"].is_number()) return {};
     const auto ratio = [&](const char* of) { return (*ray)[of].get<double>() / (*projection)[of].get<double>(); };
     std::string text = "Projection in place of rays is " + significant(ratio("paper_seconds"), 3) +
                        " times as fast in the paper; here it is " + significant(ratio("total_seconds"), 2) +

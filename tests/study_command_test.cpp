@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// tress study as a user meets it: a folder with a page whose numbers are those of its lines, and no work done twice.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "tests/run_command.h"
+
+using namespace tress::test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const char* const kScene = R"({
+  "camera": {"from": [0, 0, 60], "to": [0, 0, 0], "fov": 30, "size": [16, 16]},
+  "hair": [{"groom": "wavy", "segments": 1000}],
+  "meshes": [{"sphere": {"center": [0, 0, 0], "radius": 6}, "albedo": [0.5, 0.4, 0.3]}],
+  "lights": [{"type": "point", "position": [20, 30, 40], "intensity": [2000, 2000, 2000]}],
+  "options": {"photons": {"count": 2000}}
+})";
+
+/// Lines of study.jsonl by kind, in order.
+std::map<std::string, std::vector<Json>> lines_of(const std::string& text) {
+    std::map<std::string, std::vector<Json>> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        const Json json = Json::parse(line);
+        lines[json["line"]].push_back(json);
+    }
+    return lines;
+}
+
+}  // namespace
+
+TEST_CASE("a study's page holds the numbers of its lines, asks nothing of other places, and is not measured twice") {
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kScene), out = folder.file("study");
+    const std::vector<std::string> command{"study",  "methods",          scene, "-o",     out,       "--spp",
+                                           "4",      "--seeds",          "2",   "--row",  "RT/RT/-", "--row",
+                                           "RT/P/-", "--reference-time", "0.1", "--quiet"};
+    const CommandResult first = run_tress(command);
+    CAPTURE(first.error);
+    REQUIRE(first.exit_code == 0);
+    const std::string text = read_bytes(out + "/study.jsonl"), page = read_bytes(out + "/index.html");
+    const auto lines = lines_of(text);
+    REQUIRE(lines.at("row").size() == 2);
+    CHECK(lines.at("run").size() == 4);
+    CHECK(lines.at("run")[0]["points"].size() == 3);  // at 1, 2 and 4 samples a pixel
+    const std::regex cell("data-of=\"([a-z]+)\\.([0-9]+)(/[^\"]*)\" data-value=\"([^\"]*)\"");
+    size_t cells = 0;
+    for (std::sregex_iterator i(page.begin(), page.end(), cell); i != std::sregex_iterator(); ++i, ++cells) {
+        const Json& line = lines.at((*i)[1].str()).at(std::stoul((*i)[2].str()));
+        CAPTURE(i->str());
+        CHECK(line.at(Json::json_pointer((*i)[3].str())).dump() == (*i)[4].str());
+    }
+    CHECK(cells > 30);
+    for (const char* outside : {"src=\"http", "href=\"http", "url(http", "@import"})
+        CHECK(page.find(outside) == std::string::npos);
+    CHECK(read_bytes(out + "/error-whole.svg").rfind("<svg", 0) == 0);
+
+    REQUIRE(run_tress(command).exit_code == 0);
+    CHECK(read_bytes(out + "/study.jsonl") == text);  // times too: nothing was rendered again
+    CHECK(read_bytes(out + "/index.html") == page);
+}
+
+TEST_CASE("a study that is asked for nonsense says so in one line") {
+    const Folder folder;
+    const CommandResult r = run_tress({"study", "methods", "-o", folder.file("s"), "--row", "RT/DSM/-"});
+    CHECK(r.exit_code == 2);
+    CHECK(r.error.find("'DSM' for type2") != std::string::npos);
+    CHECK(std::count(r.error.begin(), r.error.end(), '\n') == 1);
+}
