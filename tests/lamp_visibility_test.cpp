@@ -7,6 +7,8 @@
 #include "core/rng.h"
 #include "gather/connection.h"
 #include "gather/crossing_light.h"
+#include "gather/light_rays.h"
+#include "gather/seen_points.h"
 #include "tests/tufts.h"
 
 using namespace tress;
@@ -59,7 +61,7 @@ LampRays ways(const Lit& l, int samples) {
             const Vec2 u((float(s) + 0.5f) / float(samples), v);
             const LightSample sample = sample_lamp(l.scene.lights[0], at, u);
             if (!(max_component(sample.irradiance) > 0)) break;
-            to.add(at, sample.direction, short_of(at, sample.distance), excluded, 0, u, segment);
+            to.add(at, sample.direction, short_of(at, sample.distance), excluded, 0, sample.place, segment);
         }
     }
     return to;
@@ -267,5 +269,30 @@ TEST_CASE("maps are the same for any number of threads") {
             seen[threads - 1] = visibility(l, ways(l, 2), &maps_of(l), 1);
         }
         CHECK(seen[0] == seen[1]);
+    }
+}
+
+TEST_CASE("ways to a quad lamp know where on it they end, from near and from far") {
+    // Near, samples are uniform over the solid angle: the numbers they are made of are not places on the lamp.
+    const double distances[] = {1.5, 30};
+    for (const double distance : distances) {
+        CAPTURE(distance);
+        const QuadLight lamp{{-2, -2, distance}, {{0, 4, 0}, {4, 0, 0}}, Rgb(1)};
+        const Lit l = lit({ball()}, {}, lamp, by_maps(MapKind::deep));
+        const std::vector<ShadingPoint> points = find_seen_points(l.scene, l.prepared, l.options);
+        std::vector<Sampler> samplers;
+        for (uint64_t i = 0; i < points.size(); ++i) samplers.push_back({hash(1, i), 0});
+        LightRays ways;
+        make_light_rays(l.scene, l.prepared, 0, 2, points, samplers, ways);
+        REQUIRE(ways.size() > 100);
+        const auto& quad = std::get<QuadLight>(l.scene.lights[0]);
+        for (size_t i = 0; i < ways.size(); ++i) {
+            const RayBuffer& rays = ways.to.rays;
+            const DVec3 end = DVec3(rays.origin(i)) + double(rays.far(i)) * DVec3(rays.direction(i));
+            const Vec2 place = ways.to.place[i];
+            const DVec3 there = quad.corner + double(place.x) * quad.edge[0] + double(place.y) * quad.edge[1];
+            // Rays stop short of the lamp by 32 ulps; directions are rounded to half a one each.
+            CHECK(length(end - there) < 1e-4 * distance);
+        }
     }
 }

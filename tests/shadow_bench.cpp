@@ -80,7 +80,7 @@ Errors compare(const Scene& scene, const PreparedScene& prepared, const Plan& pl
     find_open_rays(prepared, all.rays, options.isa, open);
     LampRays to;
     for (const uint32_t i : open.index)
-        to.add(all.rays.origin(i), all.rays.direction(i), all.rays.far(i), point.excluded, light, all.u[i],
+        to.add(all.rays.origin(i), all.rays.direction(i), all.rays.far(i), point.excluded, light, all.place[i],
                all.segment[i]);
     Errors e;
     if (to.size() == 0) return e;

@@ -43,7 +43,7 @@ Connection connect_lamp(const Scene& scene, const ShadingPoint& point, const Lig
     const LightSample to = sample_lamp(light, point.position, u);
     if (!(max_component(to.irradiance) > 0)) return {};
     return {to.direction, short_of(point.position, to.distance),
-            bounded(scatter(scene, point, to.direction).value() * to.irradiance)};
+            bounded(scatter(scene, point, to.direction).value() * to.irradiance), to.place};
 }
 
 }  // namespace tress

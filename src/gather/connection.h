@@ -12,6 +12,7 @@ struct Connection {
     Vec3 direction{0, 0, 1};
     float distance = 0;
     Rgb radiance{0};
+    Vec2 place{0};  // of a quad: where on it, in shares of its edges
 };
 
 /// Kept finite: two factors near the largest floats may overflow.

@@ -15,12 +15,6 @@ constexpr uint32_t kSweepDimension = 0, kFirstCrossingDimension = kSobolGroup;
 /// Each crossing that counts has a group for the lamp to keep, and one for each lamp.
 uint32_t dimensions_a_crossing(size_t lamps) { return kSobolGroup * uint32_t(1 + lamps); }
 
-RayBatch part_of(const RayBatch& rays, size_t first, size_t count) {
-    const auto part = [&](const auto& values) { return values.subspan(first, count); };
-    return {part(rays.ox), part(rays.oy),     part(rays.oz),    part(rays.dx),         part(rays.dy),
-            part(rays.dz), part(rays.t_near), part(rays.t_far), part(rays.skip_first), part(rays.skip_last)};
-}
-
 }  // namespace
 
 /// Fills counted_ with crossings first .. first + before.size() - 1: all, or `most` drawn by the luminance of `before`
@@ -50,23 +44,21 @@ void CrossingLight::add_shadow_ray(const Scene& scene, const ShadingPoint& point
                                    const Sampler& sampler, uint32_t dimension, const Rgb& throughput, uint32_t row) {
     Connection kept;
     uint32_t kept_lamp = 0;
-    Vec2 kept_u(0);
     Rgb color(0);  // of the light of the lamp kept, at luminance 1
     Reservoir reservoir(sampler.get(dimension));
     for (const uint32_t lamp : lamps) {
         dimension += kSobolGroup;
-        const Vec2 u = sampler.get2(dimension);
-        const Connection to = connect_lamp(scene, point, scene.lights[lamp], u);
+        const Connection to = connect_lamp(scene, point, scene.lights[lamp], sampler.get2(dimension));
         const Rgb brought = bounded(throughput * to.radiance);
         const float weight = luminance(brought);
         if (!(weight > 0) || !reservoir.offer(weight)) continue;
         kept = to;
         kept_lamp = lamp;
-        kept_u = u;
         color = brought / weight;
     }
     if (!(reservoir.sum() > 0)) return;
-    shadow_rays_.add(point.position, kept.direction, kept.distance, point.excluded, kept_lamp, kept_u, point.segment);
+    shadow_rays_.add(point.position, kept.direction, kept.distance, point.excluded, kept_lamp, kept.place,
+                     point.segment);
     row_.push_back(row);
     unshadowed_.push_back(bounded(color * reservoir.sum()));
 }
@@ -98,7 +90,7 @@ void CrossingLight::operator()(const Scene& scene, const PreparedScene& prepared
     for (size_t first = 0; first < gather.size(); first += kBatch) {
         const size_t count = std::min(kBatch, gather.size() - first);
         cutoff_.assign(count, options.cutoff);
-        flights(prepared.hair, part_of(rays, first, count), prepared.attenuation, cutoff_, flights_, options.isa);
+        flights(prepared.hair, rays.part(first, count), prepared.attenuation, cutoff_, flights_, options.isa);
 
         shadow_rays_.clear();
         row_.clear();

@@ -15,15 +15,15 @@ constexpr float kThin = 0.25f, kClear = 8;
 void LampRays::clear() {
     rays.clear();
     light.clear();
-    u.clear();
+    place.clear();
     segment.clear();
 }
 
 void LampRays::add(const Vec3& origin, const Vec3& direction, float distance, const Excluded& excluded,
-                   uint32_t of_light, const Vec2& sample, uint32_t of_segment) {
+                   uint32_t of_light, const Vec2& on_lamp, uint32_t of_segment) {
     rays.add(origin, direction, distance, excluded);
     light.push_back(of_light);
-    u.push_back(sample);
+    place.push_back(on_lamp);
     segment.push_back(of_segment);
 }
 
@@ -37,7 +37,7 @@ void LampVisibility::ask_map(const Scene& scene, const PreparedScene& prepared, 
     beyond_[row] = Rgb(1);
     const bool on_polygon = to.segment[ray] == kNone;
     if (on_polygon && std::holds_alternative<QuadLight>(lamp)) return;
-    const auto place = [&](const Vec3& point) { return place_on(maps, lamp, light, to.u[ray], point); };
+    const auto place = [&](const Vec3& point) { return place_on(maps, lamp, light, to.place[ray], point); };
     const Vec3 direction = to.rays.direction(ray);
     MapPlace at = place(origin);
     float traced = 0;

@@ -16,17 +16,17 @@
 
 namespace tress {
 
-/// Rays from points to samples of lamps; rows belong together by index.
+/// Rays from points to lamps; rows belong together by index.
 struct LampRays {
     RayBuffer rays;
     std::vector<uint32_t> light;    // index of scene.lights
-    std::vector<Vec2> u;            // the sample of the lamp that the ray goes to
+    std::vector<Vec2> place;        // of a quad: where on it the ray goes to, in shares of its edges
     std::vector<uint32_t> segment;  // of the fiber that the ray starts on; kNone: a polygon
 
     size_t size() const { return light.size(); }
     void clear();
     void add(const Vec3& origin, const Vec3& direction, float distance, const Excluded& excluded, uint32_t of_light,
-             const Vec2& sample, uint32_t of_segment);
+             const Vec2& on_lamp, uint32_t of_segment);
 };
 
 class LampVisibility {

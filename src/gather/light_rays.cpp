@@ -33,15 +33,14 @@ Connection connect_sky(const Scene& scene, const ShadingPoint& point, const Envi
         offer(sample_environment(sky, own.get2(dimension)).direction);
         offer(sample_scattering(scene, point, own.get4(dimension + kSobolGroup)));
     }
-    return {kept, kInfinity, bounded(color * (reservoir.sum() / (2 * kPairs)))};
+    return {kept, kInfinity, bounded(color * (reservoir.sum() / (2 * kPairs))), {}};
 }
 
-/// `u`: the sample of a lamp.
 Connection connect(const Scene& scene, const PreparedScene& prepared, const ShadingPoint& point, const Sampler& sampler,
-                   uint32_t light, const Vec2& u) {
+                   uint32_t light) {
     if (const auto& sky = prepared.environment[light])
         return connect_sky(scene, point, *sky, sampler, dimension_of(light));
-    return connect_lamp(scene, point, scene.lights[light], u);
+    return connect_lamp(scene, point, scene.lights[light], sampler.get2(dimension_of(light)));
 }
 
 }  // namespace
@@ -54,10 +53,9 @@ void make_light_rays(const Scene& scene, const PreparedScene& prepared, uint32_t
     for (uint32_t i = 0; i < points.size() * rays; ++i) {
         const ShadingPoint& point = points[i / rays];
         const Sampler sampler{samplers[i / rays].key, samplers[i / rays].index * rays + i % rays};
-        const Vec2 u = sampler.get2(dimension_of(light));
-        const Connection to = connect(scene, prepared, point, sampler, light, u);
+        const Connection to = connect(scene, prepared, point, sampler, light);
         if (!(max_component(to.radiance) > 0)) continue;
-        made.to.add(point.position, to.direction, to.distance, point.excluded, light, u, point.segment);
+        made.to.add(point.position, to.direction, to.distance, point.excluded, light, to.place, point.segment);
         made.point.push_back(i / rays);
         made.unshadowed.push_back(to.radiance / float(rays));
     }

@@ -71,8 +71,8 @@ LampMaps make_lamp_maps(std::span<const Light> lights, std::span<const uint32_t>
     return to;
 }
 
-MapPlace place_on(const LampMaps& maps, const Light& lamp, uint32_t light, const Vec2& u, const Vec3& point) {
-    const size_t p = maps.first_point[light] + view_point_of(lamp, maps.grid, u);
+MapPlace place_on(const LampMaps& maps, const Light& lamp, uint32_t light, const Vec2& on_lamp, const Vec3& point) {
+    const size_t p = maps.first_point[light] + view_point_of(lamp, maps.grid, on_lamp);
     for (uint32_t m = maps.first_map[p]; m < maps.first_map[p + 1]; ++m) {
         const ViewPoint at = project(maps.maps[m].view, point);
         if (contains(maps.maps[m].view, at)) return {&maps.maps[m], false, at};

@@ -34,8 +34,9 @@ struct MapPlace {
     ViewPoint at;
 };
 
-/// The way from `point` to the sample `u` of lamp `light`, on the maps of the nearest point of the lamp.
-MapPlace place_on(const LampMaps& maps, const Light& lamp, uint32_t light, const Vec2& u, const Vec3& point);
+/// The way from `point` to the place `on_lamp` (LightSample::place) of lamp `light`, on the maps of the nearest point
+/// of the lamp.
+MapPlace place_on(const LampMaps& maps, const Light& lamp, uint32_t light, const Vec2& on_lamp, const Vec3& point);
 
 size_t bytes(const LampMaps& maps);
 
