@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/svg_plot.h"
+#include "io/plot/svg_plot.h"
 
 #include <doctest/doctest.h>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/image.h"
-#include "io/svg_plot.h"
+#include "io/plot/svg_plot.h"
 #include "tools/study/html.h"
 
 namespace tress {
