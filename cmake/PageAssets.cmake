@@ -1,10 +1,16 @@
-# Writes OUTPUT, a C++ source that holds the files CSS and SCRIPT as texts.
-set(text "#include \"tools/study/page_assets.h\"\n\nnamespace tress {\n")
-foreach(pair "kPageCss;${CSS}" "kPageScript;${SCRIPT}")
-  list(GET pair 0 name)
-  list(GET pair 1 file)
-  file(READ ${file} content)
-  string(APPEND text "const char* const ${name} = R\"tress_page(${content})tress_page\";\n")
+# Writes OUTPUT, a C++ source that holds the style sheet and the scripts of the folder PAGE as two texts. What a script
+# runs at once, it finds in those before it; nothing of them is seen outside of one function.
+file(READ ${PAGE}/page.css css)
+set(script "\"use strict\";\n(() => {\n")
+foreach(part decode tone_map difference painting words controls viewer legends start)
+  file(READ ${PAGE}/${part}.js content)
+  string(APPEND script "${content}\n")
 endforeach()
-string(APPEND text "}  // namespace tress\n")
-file(WRITE ${OUTPUT} "${text}")
+string(APPEND script "})();\n")
+file(WRITE ${OUTPUT} "#include \"tools/study/page_assets.h\"
+
+namespace tress {
+const char* const kPageCss = R\"tress_page(${css})tress_page\";
+const char* const kPageScript = R\"tress_page(${script})tress_page\";
+}  // namespace tress
+")

@@ -353,3 +353,13 @@ TEST_CASE("groom, info and compare work on what the others write") {
     CHECK(other["flip"] > 0);
     CHECK(std::filesystem::exists(folder.file("d.png")));
 }
+
+TEST_CASE("options that may be given more than once take one value each, whatever stands behind it") {
+    const Folder folder;
+    const std::string scene = write_bytes(folder.file("scene.json"), kSmallScene);
+    const CommandResult r =
+        run_tress({"plan", "--set", "gather.rays=2", "--fiber", "eumelanin=1", "--set", "spp=3", scene});
+    CAPTURE(r.error);
+    CHECK(r.exit_code == 0);
+    CHECK(r.output.find("2000 segments") != std::string::npos);
+}

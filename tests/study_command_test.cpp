@@ -15,14 +15,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const char* const kScene = R"({
-  "camera": {"from": [0, 0, 60], "to": [0, 0, 0], "fov": 30, "size": [16, 16]},
-  "hair": [{"groom": "wavy", "segments": 1000}],
-  "meshes": [{"sphere": {"center": [0, 0, 0], "radius": 6}, "albedo": [0.5, 0.4, 0.3]}],
-  "lights": [{"type": "point", "position": [20, 30, 40], "intensity": [2000, 2000, 2000]}],
-  "options": {"photons": {"count": 2000}}
-})";
-
 /// Lines of study.jsonl by kind, in order.
 std::map<std::string, std::vector<Json>> lines_of(const std::string& text) {
     std::map<std::string, std::vector<Json>> lines;
@@ -38,10 +30,10 @@ std::map<std::string, std::vector<Json>> lines_of(const std::string& text) {
 
 TEST_CASE("a study's page holds the numbers of its lines, asks nothing of other places, and is not measured twice") {
     const Folder folder;
-    const std::string scene = write_bytes(folder.file("scene.json"), kScene), out = folder.file("study");
-    const std::vector<std::string> command{"study",  "methods",          scene, "-o",     out,       "--spp",
+    const std::string scene = TRESS_SOURCE_DIR "/tests/small_scene.json", out = folder.file("study");
+    const std::vector<std::string> command{"study",  "convergence",      scene, "-o",     out,       "--spp",
                                            "4",      "--seeds",          "2",   "--row",  "RT/RT/-", "--row",
-                                           "RT/P/-", "--reference-time", "0.1", "--quiet"};
+                                           "RT/P/-", "--reference-time", "0.1", "--size", "16x16",   "--quiet"};
     const CommandResult first = run_tress(command);
     CAPTURE(first.error);
     REQUIRE(first.exit_code == 0);

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "tests/folder.h"
+#include "tools/signature.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/compare.h"
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/colormap.h"
-#include "core/flip.h"
-#include "core/image_error.h"
 #include "core/layer_image.h"
 #include "io/exr_file.h"
 #include "io/png_file.h"
+#include "tools/comparison.h"
 
 namespace tress {
 namespace {
@@ -23,23 +20,15 @@ struct CompareArguments {
     bool json = false;
 };
 
-struct Comparison {
-    ImageError error;
-    HdrFlipResult flip;
-};
-
-/// JSON has no infinity: null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json to_json(const Comparison& c) {
     Json exposures = Json::array();
     for (int i = 0; i < c.flip.exposures.count; ++i) exposures.push_back(c.flip.exposures.at(i));
     return {{"relmse", c.error.relmse},
             {"relmse_trimmed", c.error.relmse_trimmed},
             {"rmse", c.error.rmse},
-            {"psnr", number(c.error.psnr)},
+            {"psnr", json_number(c.error.psnr)},
             {"peak", c.error.peak},
-            {"mean_ratio", number(c.error.mean_ratio)},
+            {"mean_ratio", json_number(c.error.mean_ratio)},
             {"flip", c.flip.flip.mean},
             {"exposures", exposures},
             {"pixels_per_degree", kFlipPixelsPerDegree}};
@@ -56,19 +45,11 @@ void print_text(const Comparison& c) {
                 exposures.count, exposures.start, exposures.stop, kFlipPixelsPerDegree);
 }
 
-Image picture_of(const std::vector<float>& error, int width, int height) {
-    Image image = make_image(width, height);
-    for (size_t i = 0; i < error.size(); ++i) image.pixel[i] = heat_color(error[i]);
-    return image;
-}
-
-void compare(const CompareArguments& arguments) {
+void run(const CompareArguments& arguments) {
     const Image reference = layer_image(read_exr(arguments.reference), arguments.layer, arguments.reference);
     const Image test = layer_image(read_exr(arguments.test), arguments.layer, arguments.test);
-    check_comparable(reference, test, arguments.reference, arguments.test);
-    const Comparison comparison{image_error(reference, test), hdr_flip(reference, test)};
-    if (!arguments.diff.empty())
-        write_png(arguments.diff, picture_of(comparison.flip.flip.error, reference.width, reference.height));
+    const Comparison comparison = compare(reference, test, arguments.reference, arguments.test);
+    if (!arguments.diff.empty()) write_png(arguments.diff, flip_picture(comparison, reference.width, reference.height));
     if (arguments.json)
         std::printf("%s\n", to_json(comparison).dump(2).c_str());
     else
@@ -87,7 +68,7 @@ void add_compare_command(CLI::App& app) {
     command->add_option("--diff", arguments->diff,
                         "PNG to write: the FLIP error of every pixel, black 0, pale yellow 1");
     command->add_flag("--json", arguments->json, "print JSON");
-    command->callback([arguments] { compare(*arguments); });
+    command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace tress

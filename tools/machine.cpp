@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tools/study/study_log.h"
+#include "tools/signature.h"
 
 namespace tress {
 

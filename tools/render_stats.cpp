@@ -50,13 +50,18 @@ uint64_t peak_rss_bytes() {
     return uint64_t(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
+nlohmann::ordered_json option_texts(Options options) {
+    nlohmann::ordered_json texts = nlohmann::ordered_json::object();
+    for (const OptionField& field : option_fields(options)) texts[field.key] = option_text(field);
+    return texts;
+}
+
+nlohmann::ordered_json to_json(const RenderStats& stats, const Options& options) {
     using Json = nlohmann::ordered_json;
-    Json stages = Json::array(), left_out = Json::array(), option_texts = Json::object();
+    Json stages = Json::array(), left_out = Json::array();
     for (const StageCost& stage : stats.stages)
         stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"bytes", stage.bytes}});
     for (const PlanItem& item : stats.left_out) left_out.push_back({{"name", item.name}, {"why", item.why}});
-    for (const OptionField& field : option_fields(options)) option_texts[field.key] = option_text(field);
     return {{"seconds",
              {{"load", stats.load_seconds},
               {"build", stats.build_seconds},
@@ -77,7 +82,7 @@ nlohmann::ordered_json to_json(const RenderStats& stats, Options options) {
             {"peak_rss_bytes", peak_rss_bytes()},
             {"segments", stats.segments},
             {"dropped_segments", stats.dropped_segments},
-            {"options", option_texts}};
+            {"options", option_texts(options)}};
 }
 
 }  // namespace tress

@@ -44,6 +44,9 @@ struct RenderStats {
 /// Largest resident memory of this process so far.
 uint64_t peak_rss_bytes();
 
-nlohmann::ordered_json to_json(const RenderStats& stats, Options options);
+/// Every option with its value, as text.
+nlohmann::ordered_json option_texts(Options options);
+
+nlohmann::ordered_json to_json(const RenderStats& stats, const Options& options);
 
 }  // namespace tress

@@ -38,8 +38,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("--fiber", arguments.fiber,
                     "a key of the scene file's fiber, for all hair: eumelanin=0.2, color=0.8,0.5,0.2, beta_m=0.3 ...")
-        ->expected(1)
-        ->take_all();
+        ->allow_extra_args(false);
     command.add_flag("--reference", arguments.reference, "every type by path, where nothing else is said: the truth");
     Options defaults;
     for (const OptionField& field : option_fields(defaults)) {
@@ -51,7 +50,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
     std::string help = "any option, key=value:";
     for (const OptionField& field : option_fields(defaults))
         help += "\n  " + field.key + "=" + option_text(field) + "  " + std::string(field.help);
-    command.add_option("--set", arguments.sets, help)->expected(1)->take_all();
+    command.add_option("--set", arguments.sets, help)->allow_extra_args(false);
 }
 
 std::vector<std::string> to_command_line(const SceneArguments& arguments) {

@@ -73,8 +73,7 @@ void add_show_command(CLI::App& app) {
     command
         ->add_option("--panel", arguments->panels,
                      "a layer, or a sum of some: type1+type2; again for one more to the right; without: the beauty")
-        ->expected(1)
-        ->take_all();
+        ->allow_extra_args(false);
     command->add_option("--exposure", arguments->exposure, "stops");
     command->callback([arguments] { show(*arguments); });
 }

@@ -259,8 +259,10 @@ MethodPage make_method_page(const MethodResults& results, const std::vector<Meas
         results.header["kind"] == "methods" ? "Methods: error and run time" : "Convergence: error against time";
     page.facts = facts(results.header);
     const bool quick = results.header["quick"];
-    page.facts.push_back(results.header["runs_a_row"].dump() + " runs a row, each with a seed of its own" +
-                         (quick ? "; a quick study: one run, small pictures, coarse photon and shadow maps" : ""));
+    const int runs = results.header["runs_a_row"];
+    page.facts.push_back(
+        (runs == 1 ? "one run a row" : std::to_string(runs) + " runs a row, each with a seed of its own") +
+        std::string(quick ? "; a quick study: small pictures, coarse photon and shadow maps" : ""));
     page.verdict = escape_html(results.verdict["text"]);
     page.tables = {times_table(results), equals_table(results), bias_table(results), reference_table(results)};
     for (const std::string& layer : layers_of(results.reference)) {

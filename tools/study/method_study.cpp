@@ -49,7 +49,8 @@ void set_defaults(MethodStudyArguments& a, const Defaults& defaults) {
         a.scene.flags["time"] = std::to_string(defaults.seconds);
 }
 
-std::vector<StudyRow> rows_of(const MethodStudyArguments& a) {
+/// The paper's rows and those asked for; of convergence those asked for alone, if any.
+std::vector<StudyRow> rows_of(const MethodStudyArguments& a, MethodStudyKind kind) {
     std::vector<StudyRow> rows;
     for (const std::string& text : a.rows) rows.push_back(parse_row(text));
     if (a.all) {
@@ -57,8 +58,7 @@ std::vector<StudyRow> rows_of(const MethodStudyArguments& a) {
         rows.insert(rows.end(), all.begin(), all.end());
     }
     const std::vector<StudyRow> paper = paper_rows();
-    // The paper's rows come first; a study of convergence that names rows has those alone.
-    if (rows.empty() || a.all) rows.insert(rows.begin(), paper.begin(), paper.end());
+    if (kind == MethodStudyKind::methods || rows.empty()) rows.insert(rows.begin(), paper.begin(), paper.end());
     std::vector<StudyRow> unique;
     for (StudyRow& row : rows)
         if (std::none_of(unique.begin(), unique.end(), [&](const StudyRow& u) { return u.name == row.name; }))
@@ -79,22 +79,28 @@ TypeSet types_of(const std::vector<StudyRow>& rows, const Scene& scene, const Op
     return types;
 }
 
+/// What is being made: emptied at the start, for a study that was killed leaves something, and gone at the end.
+std::string work_folder(const MethodStudyArguments& a) {
+    return (std::filesystem::path(a.output) / "study.part").string();
+}
+
 /// Runs what the log does not have yet, seed by seed, so that a study that is cut short has all rows.
 class Runs {
 public:
     Runs(const StudyScene& scene, const std::vector<StudyRow>& rows, const MethodStudyArguments& arguments)
         : scene_(scene), arguments_(arguments), progress_("study", arguments.quiet) {
         for (const StudyRow& row : rows) measured_.push_back({row, {}});
-        job_.seconds = scene.options.time;
-        job_.samples = arguments.scene.flags.contains("spp") ? scene.options.spp : 0;
+        budget_.seconds = scene.options.time;
+        budget_.samples = arguments.scene.flags.contains("spp") ? scene.options.spp : 0;
     }
 
     std::vector<MeasuredRow> measure(const TypeSet& types, StudyLog& log, Reference& reference) {
-        const double run = job_.seconds > 0 ? job_.seconds + kPreparation : kPreparation;
+        const double run = budget_.seconds > 0 ? budget_.seconds + kPreparation : kPreparation;
         const double all = arguments_.reference_seconds + run * double(measured_.size()) * arguments_.seeds;
         double done = 0;
         progress_.update(0, "the reference, by paths");
-        reference = make_reference(scene_, types, arguments_.reference_seconds, references_folder());
+        reference =
+            make_reference(scene_, types, arguments_.reference_seconds, references_folder(), work_folder(arguments_));
         if (!log.find(reference.line["key"])) log.add(reference.line);
         done += arguments_.reference_seconds;
         for (int seed = 0; seed < arguments_.seeds; ++seed)
@@ -115,13 +121,13 @@ private:
     }
 
     Json run_once(const StudyRow& row, int seed, StudyLog& log, const Reference& reference) {
-        RunJob job = job_;
-        job.seed = scene_.options.seed + uint64_t(seed);
-        const Json* known = log.find(run_key(scene_, row, job, reference));
+        Budget budget = budget_;
+        budget.seed = scene_.options.seed + uint64_t(seed);
+        const Json* known = log.find(run_key(scene_, row, budget, reference));
         if (known && std::filesystem::exists(std::filesystem::path(arguments_.output) / (*known)["picture"]))
             return *known;
-        Json line = run_row(scene_, row, job, reference, arguments_.output);
-        if (!known) log.add(line);
+        Json line = run_row(scene_, row, budget, reference, arguments_.output, work_folder(arguments_));
+        log.add(line);
         return line;
     }
 
@@ -129,7 +135,7 @@ private:
     const MethodStudyArguments& arguments_;
     Progress progress_;
     std::vector<MeasuredRow> measured_;
-    RunJob job_;
+    Budget budget_;
 };
 
 void write_results(const MethodStudyArguments& arguments, MethodStudyKind kind, const StudyScene& scene,
@@ -170,14 +176,17 @@ void run_method_study(MethodStudyArguments arguments, MethodStudyKind kind) {
     const std::string log_file = (std::filesystem::path(arguments.output) / "study.jsonl").string();
     check_writable(log_file);
     StudyLog log(log_file);
-    const std::vector<StudyRow> rows = rows_of(arguments);
+    const std::vector<StudyRow> rows = rows_of(arguments, kind);
     const SceneDescription description = describe(arguments.scene);
     auto loaded = std::make_unique<LoadedScene>(load_scene(description));
     const StudyScene scene = study_scene(arguments.scene, description, loaded->scene);
     const TypeSet types = types_of(rows, loaded->scene, scene.options);
     loaded.reset();  // its memory is for the renders
     Reference reference;
+    std::filesystem::remove_all(work_folder(arguments));
+    std::filesystem::create_directories(work_folder(arguments));
     const std::vector<MeasuredRow> measured = Runs(scene, rows, arguments).measure(types, log, reference);
+    std::filesystem::remove_all(work_folder(arguments));
     write_results(arguments, kind, scene, measured, reference, log);
     if (!arguments.quiet)
         std::fprintf(stderr, "%s\n", (std::filesystem::path(arguments.output) / "index.html").c_str());

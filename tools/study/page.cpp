@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tools/study/page.h"
 
-#include "core/colormap.h"
-#include "core/flip.h"
 #include "core/shared_exponent.h"
 #include "io/base64.h"
 #include "io/png_file.h"
+#include "tools/comparison.h"
 #include "tools/study/page_assets.h"
 #include "tools/study/picture_error.h"
 
@@ -25,11 +24,9 @@ std::string packed(const Image& image) {
     return base64(bytes);
 }
 
-std::string flip_map(const Image& reference, const Image& test) {
-    const std::vector<float> error = hdr_flip(reference, test).flip.error;
-    Image image = make_image(reference.width, reference.height);
-    for (size_t i = 0; i < error.size(); ++i) image.pixel[i] = heat_color(error[i]);
-    return "data:image/png;base64," + base64(png_bytes(image));
+std::string flip_map(const Image& reference, const Image& test, const std::string& name) {
+    const Comparison comparison = compare(reference, test, "the reference", name);
+    return "data:image/png;base64," + base64(png_bytes(flip_picture(comparison, reference.width, reference.height)));
 }
 
 Json viewer_data(const Page& page) {
@@ -45,7 +42,7 @@ Json viewer_data(const Page& page) {
             const Image image = study_layer(picture.layers, name, picture.name);
             entry["layers"][name] = packed(image);
             if (&picture != &page.pictures.front())
-                entry["flip"][name] = flip_map(study_layer(reference, name, "reference"), image);
+                entry["flip"][name] = flip_map(study_layer(reference, name, "reference"), image, picture.name);
         }
         pictures.push_back(std::move(entry));
     }
@@ -61,8 +58,7 @@ std::string script_safe(std::string text) {
 
 std::string plots_html(const Page& page) {
     if (page.plots.empty()) return {};
-    std::string html = "<section id=\"plots\"><h2>Error against time</h2>\n";
-    if (page.pictures.empty()) html = "<section id=\"plots\"><h2>Plots</h2>\n";
+    std::string html = "<section id=\"plots\"><h2>Plots</h2>\n";
     for (const auto& [plot, caption] : page.plots)
         html += "<figure>" + svg_plot(plot) + "<figcaption>" + caption + "</figcaption></figure>\n";
     return html + "</section>\n";

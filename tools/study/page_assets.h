@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// page/page.css and page/page.js as text in the program: cmake/PageAssets.cmake writes the source.
+// page/page.css and the scripts beside it as text in the program: cmake/PageAssets.cmake writes the source.
 #pragma once
 
 namespace tress {

@@ -2,19 +2,14 @@
 #include "tools/study/picture_error.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.h"
-#include "core/flip.h"
-#include "core/image_error.h"
 #include "core/layer_image.h"
 #include "core/path_type.h"
+#include "tools/comparison.h"
 
 namespace tress {
 namespace {
-
-/// JSON has no infinity: null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string file_layer(const std::string& name) { return name == kWhole ? "" : name; }
 
@@ -41,12 +36,12 @@ Json picture_errors(const LayeredImage& reference, const LayeredImage& picture, 
     for (const std::string& name : study_layers(reference)) {
         if (!has_layer(picture, name)) continue;
         const Image truth = study_layer(reference, name, "reference"), test = study_layer(picture, name, where);
-        check_comparable(truth, test, "the reference", where);
-        const ImageError error = image_error(truth, test);
+        const Comparison comparison = compare(truth, test, "the reference", where);
+        const ImageError& error = comparison.error;
         errors[name] = {{"relmse", error.relmse},
                         {"relmse_trimmed", error.relmse_trimmed},
-                        {"mean_ratio", number(error.mean_ratio)},
-                        {"flip", hdr_flip(truth, test).flip.mean}};
+                        {"mean_ratio", json_number(error.mean_ratio)},
+                        {"flip", comparison.flip.flip.mean}};
     }
     return errors;
 }

@@ -5,6 +5,7 @@
 
 #include "io/exr_file.h"
 #include "io/whole_file.h"
+#include "tools/signature.h"
 #include "tools/study/picture_error.h"
 #include "tools/study/rendering.h"
 
@@ -24,9 +25,9 @@ Options reference_options(Options options, const TypeSet& types) {
 Json make_halves(const StudyScene& scene, const Options& options, double seconds, const std::string& a,
                  const std::string& b) {
     const uint64_t seed = scene.options.seed + kSeedsApart;
-    const Json first = render(scene, options, {.seed = seed, .seconds = seconds / 2, .picture = a});
+    const Json first = render(scene, options, {.seed = seed, .seconds = seconds / 2}, a);
     const int spp = first["spp"];
-    const Json second = render(scene, options, {.seed = seed + 1, .samples = spp, .picture = b});
+    const Json second = render(scene, options, {.seed = seed + 1, .samples = spp}, b);
     const auto total = [](const Json& stats) { return stats["seconds"]["total"].get<double>(); };
     return {{"spp", 2 * spp}, {"seconds", total(first) + total(second)}};
 }
@@ -38,12 +39,14 @@ TypeSet types_on(const Options& o) {
             o.type4 != ScatteredMethod::off, o.type5 != ScatteredMethod::off};
 }
 
-Reference make_reference(const StudyScene& scene, const TypeSet& types, double seconds, const std::string& folder) {
+Reference make_reference(const StudyScene& scene, const TypeSet& types, double seconds, const std::string& folder,
+                         const std::string& work) {
     const Options options = reference_options(scene.options, types);
     const std::string key = key_of({"reference", TRESS_VERSION, scene.signature, std::to_string(seconds),
                                     options_text(options, {"time", "spp", "threads", "isa"})});
     const std::string stem = (std::filesystem::path(folder) / key).string();
-    const std::string picture = stem + ".exr", figures = stem + ".json", a = stem + "-a.exr", b = stem + "-b.exr";
+    const std::string picture = stem + ".exr", figures = stem + ".json";
+    const std::string a = work + "/half-a.exr", b = work + "/half-b.exr";
     if (std::filesystem::exists(picture) && std::filesystem::exists(figures))
         return {read_exr(picture), picture, read_json(figures)};
     std::filesystem::create_directories(folder);
@@ -54,8 +57,6 @@ Reference make_reference(const StudyScene& scene, const TypeSet& types, double s
     const LayeredImage mean = mean_of(first, second);
     write_exr(picture, mean);
     write_text_file(figures, line.dump(2) + "\n");  // last: it says that the picture is whole
-    std::filesystem::remove(a);
-    std::filesystem::remove(b);
     return {mean, picture, line};
 }
 

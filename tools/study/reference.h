@@ -17,8 +17,9 @@ struct Reference {
 };
 
 /// Those of `types` by paths for `seconds` in all, or what `folder` keeps of an earlier study of the same scene and
-/// options: KEY.exr, and KEY.json with its figures.
-Reference make_reference(const StudyScene& scene, const TypeSet& types, double seconds, const std::string& folder);
+/// options: KEY.exr, and KEY.json with its figures. The halves are made in the folder `work`.
+Reference make_reference(const StudyScene& scene, const TypeSet& types, double seconds, const std::string& folder,
+                         const std::string& work);
 
 /// Types that are on.
 TypeSet types_on(const Options& options);

@@ -10,31 +10,31 @@ namespace tress {
 namespace {
 
 /// The scene's arguments with every option said outright, so that nothing else decides.
-std::vector<std::string> words_of(const StudyScene& scene, Options options, const RenderJob& job,
-                                  const std::string& stats) {
+std::vector<std::string> words_of(const StudyScene& scene, Options options, const Budget& budget) {
     SceneArguments arguments = scene.arguments;
     arguments.flags.clear();
     arguments.sets.clear();
     arguments.reference = false;
-    options.seed = job.seed;
-    options.time = job.seconds;
-    options.spp = job.samples > 0 ? job.samples : kMostSamples;
+    options.seed = budget.seed;
+    options.time = budget.seconds;
+    options.spp = budget.samples > 0 ? budget.samples : kMostSamples;
     for (const OptionField& field : option_fields(options))
         arguments.sets.push_back(field.key + "=" + option_text(field));
     std::vector<std::string> words{"render"};
     for (std::string& word : to_command_line(arguments)) words.push_back(std::move(word));
-    for (const std::string& word : {std::string("--quiet"), "--output=" + job.picture, "--stats=" + stats})
-        words.push_back(word);
-    if (job.snapshots) words.push_back("--snapshots");
     return words;
 }
 
 }  // namespace
 
-Json render(const StudyScene& scene, Options options, const RenderJob& job) {
-    const std::string stats = job.picture + ".json";
-    const ChildResult result = run_self(words_of(scene, options, job, stats));
-    std::filesystem::remove(std::filesystem::path(job.picture).replace_extension(".png"));
+Json render(const StudyScene& scene, Options options, const Budget& budget, const std::string& picture,
+            bool snapshots) {
+    const std::string stats = picture + ".json";
+    std::vector<std::string> words = words_of(scene, options, budget);
+    words.insert(words.end(), {"--quiet", "--output=" + picture, "--stats=" + stats});
+    if (snapshots) words.push_back("--snapshots");
+    const ChildResult result = run_self(words);
+    std::filesystem::remove(std::filesystem::path(picture).replace_extension(".png"));
     if (result.exit_code != 0)
         throw InputError("a render of the study", result.error.empty()
                                                       ? "ended with exit code " + std::to_string(result.exit_code)

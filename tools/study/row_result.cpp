@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/error_fit.h"
+#include "tools/comparison.h"
 #include "tools/study/picture_error.h"
 
 namespace tress {
@@ -39,9 +40,6 @@ Mean mean(const std::vector<double>& values) {
     m.error = n > 1 ? std::sqrt(m.error / (n * (n - 1))) : 0;
     return m;
 }
-
-/// A number, or null where it is none.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 const Json* point_at(const Json& run, int spp) {
     for (const Json& point : run["points"])
@@ -128,14 +126,14 @@ Json at_time(const Curve& curve, double seconds) {
     const double t = seconds - curve.build;
     const bool begun = t > 0;
     return {{"seconds", seconds},
-            {"relmse", begun ? number(curve.fit.at(t)) : Json()},
+            {"relmse", begun ? json_number(curve.fit.at(t)) : Json()},
             {"beyond", !(t >= curve.span.first && t <= curve.span.last)}};
 }
 
 Json at_error(const Curve& curve, double error) {
     const double t = curve.fit.seconds_to(error);
     return {{"relmse", error},
-            {"seconds", number(curve.build + t)},
+            {"seconds", json_number(curve.build + t)},
             {"beyond", !(t >= curve.span.first && t <= curve.span.last)}};
 }
 
@@ -196,6 +194,7 @@ std::vector<Json> row_results(const std::vector<MeasuredRow>& rows, const Json& 
     std::vector<Json> results;
     std::vector<Curve> curves;
     const int spp = common_spp(rows);
+    const double paper_first = paper_rows().front().paper_seconds;
     for (const MeasuredRow& row : rows) {
         const double build = median_of(row.runs, [](const Json& run) { return run["seconds"]["build"].get<double>(); });
         const double render = median_of(row.runs, [&](const Json& run) {
@@ -204,7 +203,7 @@ std::vector<Json> row_results(const std::vector<MeasuredRow>& rows, const Json& 
         });
         const Json first = results.empty() ? Json() : results.front();
         const double total = build + render;
-        const double paper_first = rows.front().row.paper_seconds, paper = row.row.paper_seconds;
+        const double paper = row.row.paper_seconds;
         Json result{{"line", "row"},
                     {"row", row.row.name},
                     {"settings", row.row.settings},
@@ -215,7 +214,7 @@ std::vector<Json> row_results(const std::vector<MeasuredRow>& rows, const Json& 
                     {"total_seconds", total},
                     {"times_as_fast", first.is_null() ? 1.0 : first["total_seconds"].get<double>() / total},
                     {"paper_seconds", paper > 0 ? Json(paper) : Json()},
-                    {"paper_times_as_fast", paper > 0 && paper_first > 0 ? Json(paper_first / paper) : Json()},
+                    {"paper_times_as_fast", paper > 0 ? Json(paper_first / paper) : Json()},
                     {"peak_rss_bytes",
                      median_of(row.runs, [](const Json& run) { return run["peak_rss_bytes"].get<double>(); })},
                     {"errors", mean_errors(row, spp)}};

@@ -18,9 +18,10 @@ struct MeasuredRow {
 
 /// One line a row, in order: "line": "row", "row", "settings", "runs", "spp" (a power of two that every run of every
 /// row has reached), "build_seconds", "render_seconds" (to that), "total_seconds", "times_as_fast" (as the first row),
-/// "paper_seconds", "paper_times_as_fast", "peak_rss_bytes", medians over runs; "errors" at that spp (means over runs);
-/// "layers": {"whole": {"bias", "bias_error", "noise", "noise_error", "floor", "residual", "signed_mean",
-/// "signed_mean_error", "last_relmse"}, ...}; "equal_time": [{"seconds", "relmse", "beyond"}], "equal_error":
+/// "paper_seconds", "paper_times_as_fast" (as the paper's first row), "peak_rss_bytes", medians over runs; "errors" at
+/// that spp (means over runs); "layers": {"whole": {"bias", "bias_error", "noise", "noise_error", "floor", "residual",
+/// "signed_mean", "signed_mean_error", "last_relmse"}, ...}; "equal_time": [{"seconds", "relmse", "beyond"}],
+/// "equal_error":
 /// [{"relmse", "seconds", "beyond"}] of the whole; null where a row never gets there.
 ///
 /// floor and noise are b and c of relMSE = b + c / t over t seconds of rendering (error_fit.h); bias is the root of

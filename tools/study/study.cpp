@@ -17,13 +17,11 @@ void add_method_study(CLI::App& study, const char* name, const char* help, Metho
         ->add_option(
             "--row", a->rows,
             "a row: methods of Types 1 to 3 in the paper's names (RT, DSM, P, -; OSM, CD, PT), then key=value: "
-            "\"RT/P/- projection.cells=64\"; without: the paper's six rows")
-        ->expected(1)
-        ->take_all();
+            "\"RT/P/- projection.cells=64\"; methods: after the paper's six; convergence: in their place")
+        ->allow_extra_args(false);
     command->add_option("--sweep", a->sweeps, "key=value,value,...: each row with each of them; more: their grid")
-        ->expected(1)
-        ->take_all();
-    command->add_flag("--all", a->all, "every combination of methods of Types 1 to 3, after the paper's rows");
+        ->allow_extra_args(false);
+    command->add_flag("--all", a->all, "every combination of methods of Types 1 to 3");
     command->add_option("--seeds", a->seeds, "runs a row [3; quick: 1]")->check(CLI::Range(1, 1000));
     command
         ->add_option("--reference-time", a->reference_seconds, "seconds of the reference, both halves [600; quick: 24]")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tress study methods|convergence|accel: error against run time, as JSON lines, CSV, plots and one page.
+// tress study methods|convergence: error against run time, as JSON lines, CSV, plots and one page.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tools/study/study_log.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.h"
-#include "core/rng.h"
 #include "io/whole_file.h"
 
 namespace tress {
@@ -33,6 +31,7 @@ const Json* StudyLog::find(const std::string& key) const {
 }
 
 void StudyLog::add(Json line) {
+    std::erase_if(measured_, [&](const Json& old) { return old["key"] == line["key"]; });
     measured_.push_back(std::move(line));
     write({}, {});
 }
@@ -53,17 +52,6 @@ Json read_json(const std::string& path) {
     Json json = Json::parse(in, nullptr, false);
     if (json.is_discarded()) throw InputError(path, "no JSON, expected a file that tress wrote");
     return json;
-}
-
-std::string key_of(const std::vector<std::string>& parts) {
-    uint64_t key = 0;
-    for (const std::string& part : parts) {
-        key = hash(key, part.size());
-        for (const char c : part) key = hash(key, static_cast<unsigned char>(c));
-    }
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(key));
-    return text;
 }
 
 }  // namespace tress

@@ -20,7 +20,8 @@ public:
     /// The measured line with this key, or nullptr.
     const Json* find(const std::string& key) const;
 
-    /// Keeps a line that was measured: {"line": ..., "key": ..., ...}. The file is replaced, whole.
+    /// Keeps a line that was measured, {"line": ..., "key": ..., ...}, in place of one with its key. The file is
+    /// replaced, whole.
     void add(Json line);
 
     /// Replaces the file: `header` first, then all that was measured, then `derived`.
@@ -33,8 +34,5 @@ private:
 
 /// A whole file as JSON. Throws InputError.
 Json read_json(const std::string& path);
-
-/// Text of 16 digits that stands for all of `parts`, in order.
-std::string key_of(const std::vector<std::string>& parts);
 
 }  // namespace tress

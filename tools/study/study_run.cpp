@@ -4,27 +4,23 @@
 #include <filesystem>
 
 #include "io/exr_file.h"
+#include "tools/signature.h"
 #include "tools/study/picture_error.h"
-#include "tools/study/rendering.h"
 
 namespace tress {
 
-std::string run_key(const StudyScene& scene, const StudyRow& row, const RunJob& job, const Reference& reference) {
+std::string run_key(const StudyScene& scene, const StudyRow& row, const Budget& budget, const Reference& reference) {
     const Options options = options_of(row, scene.options);
     return key_of({"run", TRESS_VERSION, scene.signature, scene.processor, scene.isa, std::to_string(scene.threads),
                    scene.program, reference.line["key"], options_text(options, {"time", "spp", "seed", "threads"}),
-                   std::to_string(job.seed), std::to_string(job.seconds), std::to_string(job.samples)});
+                   std::to_string(budget.seed), std::to_string(budget.seconds), std::to_string(budget.samples)});
 }
 
-Json run_row(const StudyScene& scene, const StudyRow& row, const RunJob& job, const Reference& reference,
-             const std::string& folder) {
-    const std::string key = run_key(scene, row, job, reference);
-    const std::filesystem::path pictures = std::filesystem::path(folder) / "pictures";
-    std::filesystem::create_directories(pictures);
-    const std::string picture = (pictures / (key + ".exr")).string();
-    const Json stats = render(
-        scene, options_of(row, scene.options),
-        {.seed = job.seed, .seconds = job.seconds, .samples = job.samples, .snapshots = true, .picture = picture});
+Json run_row(const StudyScene& scene, const StudyRow& row, const Budget& budget, const Reference& reference,
+             const std::string& folder, const std::string& work) {
+    const std::string key = run_key(scene, row, budget, reference);
+    const std::string picture = "pictures/" + key + ".exr", made = work + "/run.exr";
+    const Json stats = render(scene, options_of(row, scene.options), budget, made, true);
     Json points = Json::array();
     for (const Json& snapshot : stats["snapshots"]) {
         const std::string file = snapshot["file"];
@@ -33,12 +29,15 @@ Json run_row(const StudyScene& scene, const StudyRow& row, const RunJob& job, co
                           {"errors", picture_errors(reference.picture, read_exr(file), file)}});
         std::filesystem::remove(file);
     }
+    const std::filesystem::path place = std::filesystem::path(folder) / picture;
+    std::filesystem::create_directories(place.parent_path());
+    std::filesystem::rename(made, place);
     return {{"line", "run"},
             {"key", key},
             {"row", row.name},
             {"settings", row.settings},
-            {"seed", job.seed},
-            {"picture", "pictures/" + key + ".exr"},
+            {"seed", budget.seed},
+            {"picture", picture},
             {"spp", stats["spp"]},
             {"seconds", stats["seconds"]},
             {"peak_rss_bytes", stats["peak_rss_bytes"]},

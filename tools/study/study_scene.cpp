@@ -4,25 +4,14 @@
 #include <tbb/info.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "accel/isa_targets.h"
-#include "core/plan.h"
 #include "core/scene_hash.h"
-#include "io/load_scene.h"
 #include "tools/machine.h"
+#include "tools/render_stats.h"
+#include "tools/signature.h"
 
 namespace tress {
-namespace {
-
-std::string hexadecimal(uint64_t value) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-    return text;
-}
-
-}  // namespace
-
 StudyScene study_scene(const SceneArguments& arguments, const SceneDescription& description, const Scene& scene) {
     StudyScene s;
     s.arguments = arguments;
@@ -41,11 +30,6 @@ StudyScene study_scene(const SceneArguments& arguments, const SceneDescription& 
     return s;
 }
 
-StudyScene study_scene(const SceneArguments& arguments) {
-    const SceneDescription description = describe(arguments);
-    return study_scene(arguments, description, load_scene(description).scene);
-}
-
 std::string options_text(Options options, std::initializer_list<std::string_view> without) {
     std::string text;
     for (const OptionField& field : option_fields(options))
@@ -55,9 +39,6 @@ std::string options_text(Options options, std::initializer_list<std::string_view
 }
 
 Json header(const StudyScene& s, const char* kind) {
-    Json options = Json::object();
-    Options copy = s.options;
-    for (const OptionField& field : option_fields(copy)) options[field.key] = option_text(field);
     return {{"line", "study"},
             {"kind", kind},
             {"scene", s.name},
@@ -73,7 +54,7 @@ Json header(const StudyScene& s, const char* kind) {
             {"version", TRESS_VERSION},
             {"program", s.program},
             {"seed", s.options.seed},
-            {"options", options}};
+            {"options", option_texts(s.options)}};
 }
 
 }  // namespace tress

@@ -20,9 +20,7 @@ struct StudyScene {
     int threads = 0;
 };
 
-/// Loads the scene to learn what it holds, checks that it can be rendered under its options, and lets it go again.
-StudyScene study_scene(const SceneArguments& arguments);
-/// The same of a scene that is loaded.
+/// Of a scene that is loaded; it need not stay so.
 StudyScene study_scene(const SceneArguments& arguments, const SceneDescription& description, const Scene& scene);
 
 /// All options as text, in the order of their list, without those named.

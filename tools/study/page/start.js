@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// What the page does once it is there.
+
+startLegends();
+startViewer();
