@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <new>
 
@@ -14,6 +13,7 @@
 #include "io/scene_file.h"
 #include "io/strand_file.h"
 #include "tests/io_support.h"
+#include "tools/check/scenes/damaged_bytes.h"
 
 namespace {
 
@@ -44,27 +44,6 @@ constexpr int kCases = 1500;  // a kind of file
 constexpr size_t kMostAllocated = size_t(4) << 20;
 /// A picture of any size up to 64 MB is believed (exr_header.h): channels of it may be allocated.
 constexpr size_t kMostAllocatedOfPicture = size_t(256) << 20;
-
-/// `bytes` with one to three bytes changed, and sometimes cut, grown or with a part copied to elsewhere.
-std::string damaged(std::string bytes, uint64_t key) {
-    uint64_t draw = 0;
-    const auto below = [&](size_t n) { return size_t(hash(key, draw++) % n); };
-    const size_t changes = 1 + below(3);
-    for (size_t c = 0; c < changes; ++c) {
-        const size_t at = below(bytes.size());
-        const size_t kind = below(4);
-        if (kind == 0) bytes[at] = char(below(256));
-        if (kind == 1) bytes[at] = char(bytes[at] ^ (1 << below(8)));
-        if (kind == 2) bytes[at] = below(2) ? '\xff' : '\0';
-        if (kind == 3) bytes[at] = "0123456789-.eE+{}[]\",: \n"[below(24)];
-    }
-    const size_t kind = below(8), at = below(bytes.size());
-    if (kind == 0) bytes.resize(at);
-    if (kind == 1) bytes += bytes.substr(at);
-    if (kind == 2) bytes.insert(below(bytes.size()), bytes.substr(at, 40));
-    if (kind == 3 && bytes.size() > 8) std::memset(&bytes[below(bytes.size() - 4)], 0xff, 4);
-    return bytes;
-}
 
 /// Reads damaged copies of `bytes` as the file `name`.
 void check_reader(const std::string& name, const std::string& bytes, size_t most_allocated,

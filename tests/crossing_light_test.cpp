@@ -7,7 +7,7 @@
 
 #include "core/rng.h"
 #include "gather/connection.h"
-#include "tests/small_scenes.h"
+#include "tools/check/scenes/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -6,7 +6,7 @@
 
 #include "core/fresnel.h"
 #include "core/marschner_azimuthal.h"
-#include "tests/fiber_support.h"
+#include "tools/check/scenes/fiber_quadrature.h"
 
 using namespace tress;
 
@@ -133,10 +133,7 @@ TEST_CASE("the pdf of the far field integrates to one") {
     for (const float beta_m : {0.05f, 0.3f, 1.0f})
         for (const double theta : {0.0, -1.2, 1.5}) {
             const Fiber fiber = fiber_of(beta_m, 0.3f, FiberModel::marschner);
-            const SphereNodes nodes = sphere_nodes(fiber, theta, 0.3, 0);
-            double sum = 0;
-            for (size_t i = 0; i < nodes.direction.size(); ++i)
-                sum += nodes.weight[i] * double(pdf(fiber, Rgb(0.3f), direction(theta, 0.3), nodes.direction[i], 0));
+            const double sum = pdf_integral(fiber, Rgb(0.3f), theta, 0.3, 0);
             CAPTURE(beta_m);
             CAPTURE(theta);
             CHECK(std::abs(sum - 1) < 1e-3);

@@ -2,7 +2,7 @@
 // A fiber asked for f_R alone: what is left when light that goes straight through is another's.
 #include <doctest/doctest.h>
 
-#include "tests/fiber_support.h"
+#include "tools/check/scenes/fiber_quadrature.h"
 
 using namespace tress;
 
@@ -43,13 +43,7 @@ TEST_CASE("the density of directions drawn by f_R integrates to one") {
     for (const float beta_m : {0.0f, 0.1f, 1.0f})
         for (const double h : {0.0, -0.6, 1.0}) {
             const Fiber fiber = fiber_of(beta_m, 0.3f);
-            const double theta = 0.7, phi = -1.1;
-            const SphereNodes nodes = sphere_nodes(fiber, theta, phi, h);
-            double sum = 0;
-            for (size_t i = 0; i < nodes.direction.size(); ++i)
-                sum += nodes.weight[i] * double(evaluate_with_pdf(fiber, Rgb(0.1f, 0.4f, 1.5f), direction(theta, phi),
-                                                                  nodes.direction[i], float(h), FiberLobes::reflected)
-                                                    .pdf);
+            const double sum = pdf_integral(fiber, Rgb(0.1f, 0.4f, 1.5f), 0.7, -1.1, h, FiberLobes::reflected);
             CAPTURE(beta_m);
             CAPTURE(h);
             CHECK(std::abs(sum - 1) < 1e-3);

@@ -4,7 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/fiber_support.h"
+#include "tools/check/scenes/fiber_extremes.h"
+#include "tools/check/scenes/fiber_reciprocity.h"
 
 using namespace tress;
 
@@ -212,78 +213,18 @@ TEST_CASE("many directions at once get the values that each gets alone") {
 
 TEST_CASE("f keeps its value when light is reversed, exactly where the model says so") {
     // M is symmetric without tilt. At an index of 1 nothing else depends on h or theta_o: f |cos theta| is symmetric.
-    FiberParameters q;
-    q.alpha_degrees = 0;
-    q.eta = 1;
-    const Fiber glassless = make_fiber(q);
-    q.eta = 1.55f;
-    const Fiber fiber = make_fiber(q);
-    double difference = 0, total = 0;
-    for (uint64_t k = 0; k < 4000; ++k) {
-        const Vec3 a = uniform_direction(hash(3, 2 * k)), b = uniform_direction(hash(3, 2 * k + 1));
-        const float there = evaluate(glassless, Rgb(0), a, b, 0.3f).forward.x;
-        const float back = evaluate(glassless, Rgb(0), b, a, 0.3f).forward.x;
-        CHECK(there == doctest::Approx(double(back)).epsilon(1e-4));
-
-        const Vec3 mirrored = direction(-std::asin(double(a.x)), std::atan2(double(b.z), double(b.y)));
-        double f[4] = {};  // averaged over h: at one h the reversed light meets the fiber elsewhere
-        for (const QuadratureNode& h : gauss_legendre(48, -1, 1)) {
-            const auto of = [&](const Vec3& o, const Vec3& i) {
-                const FiberScattering s = evaluate(fiber, Rgb(0.3f), o, i, float(h.x));
-                return h.weight / 2 * double(s.forward.x + s.reflected.x);
-            };
-            f[0] += of(a, b);
-            f[1] += of(b, a);
-            f[2] += of(a, mirrored);
-            f[3] += of(mirrored, a);
-        }
-        difference += std::abs(f[0] - f[1]);
-        total += f[0] + f[1];
-        CHECK(f[2] == doctest::Approx(f[3]).epsilon(1e-3));  // |theta_i| = |theta_o|
-    }
-    MESSAGE("mean asymmetry of f |cos theta|, averaged over h: " << difference / total);
-    CHECK(difference / total < 0.08);  // as stated in core/fiber.h
+    const Reciprocity near_field = near_field_reciprocity(4000);
+    CHECK(near_field.glassless.largest < 5e-5);
+    CHECK(near_field.opposite.largest < 5e-4);
+    CHECK(near_field.any.of_sums < 0.08);  // as stated in core/fiber.h
+    MESSAGE("mean asymmetry of f |cos theta|, averaged over h: " << near_field.any.of_sums);
+    CHECK(far_field_reciprocity(4000).largest < 5e-4);
 }
 
 TEST_CASE("nothing is infinite, negative or not a number, to the exact ends of every range") {
-    constexpr int kTheta = 11, kPhi = 8, kH = 7;
-    const double kEnds[kTheta] = {-kPiD / 2, -1.5707, -1.5, -0.8, -1e-4, 0, 0.3, 1.2, 1.57, 1.570796, kPiD / 2};
-    const float kOffset[kH] = {-1, -0.99999994f, -0.5f, 0, 0.7f, 0.9999f, 1};
-    std::vector<Vec3> directions;
-    for (const double theta : kEnds)
-        for (int k = 0; k < kPhi; ++k) directions.push_back(direction(theta, (k - kPhi / 2) * 2 * kPiD / kPhi));
-    for (const double sign : {-1.0, 1.0}) directions.push_back(Vec3(float(sign), 0, 0));
-    std::vector<FiberScattering> value(directions.size());
-
-    uint64_t evaluations = 0, bad = 0;
-    for (const FiberModel model : {FiberModel::chiang, FiberModel::marschner})
-        for (const float beta : {0.0f, 0.3f, 1.0f})
-            for (const float eta : {1.0f, 1.0000001f, 1.55f, 10.0f})
-                for (const float alpha : {0.0f, 40.0f})
-                    for (const float sigma_a : {0.0f, 1.0f, kInfinity}) {
-                        FiberParameters q{model, Rgb(sigma_a), beta, beta, alpha, eta};
-                        const Fiber fiber = make_fiber(q);
-                        const int offsets = model == FiberModel::chiang ? kH : 1;
-                        for (const Vec3& wo : directions)
-                            for (int k = 0; k < offsets; ++k) {
-                                evaluate(fiber, q.sigma_a, wo, kOffset[k], directions, value);
-                                for (const FiberScattering& v : value) {
-                                    const bool fine = is_finite(v.forward) && is_finite(v.reflected) &&
-                                                      min_component(v.forward) >= 0 && min_component(v.reflected) >= 0;
-                                    bad += !fine;
-                                    ++evaluations;
-                                }
-                                const float high = 1 - 0x1p-24f;
-                                for (const float x : {0.0f, 0.5f, high}) {
-                                    const FiberSample s =
-                                        sample(fiber, q.sigma_a, wo, kOffset[k], {x, high - x, x, high});
-                                    bad += !(is_finite(s.wi) && std::isfinite(s.pdf) && s.pdf >= 0);
-                                    bad += !(std::abs(length(s.wi) - 1) < 1e-5f);
-                                }
-                            }
-                    }
-    CHECK(evaluations > 1000000);
-    CHECK(bad == 0);
+    const Soundness all = try_all_extremes();
+    CHECK(all.tried > 1000000);
+    CHECK(all.unsound == 0);
 }
 
 TEST_CASE("an infinite absorption leaves only R, an index of 1 only TT") {
@@ -296,12 +237,8 @@ TEST_CASE("an infinite absorption leaves only R, an index of 1 only TT") {
             CAPTURE(theta);
             CAPTURE(h);
             const Albedo black = albedo_of(fiber, Rgb(kInfinity), theta, 0, h);
-            const double cos_1 = std::cos(theta) * std::sqrt(1 - h * h);
-            const double cos_2 = std::sqrt(1 - (1 - cos_1 * cos_1) / square(1.55));
-            const double r = 0.5 * (square((cos_1 - 1.55 * cos_2) / (cos_1 + 1.55 * cos_2)) +
-                                    square((1.55 * cos_1 - cos_2) / (1.55 * cos_1 + cos_2)));
             CHECK(black.forward.x == 0);
-            CHECK(std::abs(black.reflected.x - r) < 1e-3);
+            CHECK(std::abs(black.reflected.x - first_reflectance(1.55, theta, h)) < 1e-3);
             const Albedo clear = albedo_of(glassless, Rgb(0), theta, 0, h);
             CHECK(std::abs(clear.forward.x - 1) < 1e-3);
             CHECK(clear.reflected.x == 0);

@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/fiber_support.h"
-#include "tests/small_scenes.h"
+#include "tools/check/scenes/fiber_quadrature.h"
+#include "tools/check/scenes/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -9,6 +9,7 @@
 #include "core/segments.h"
 #include "io/strand_file.h"
 #include "tests/io_support.h"
+#include "tools/check/scenes/raw_hair.h"
 
 using namespace tress;
 using namespace tress::test;
@@ -37,20 +38,6 @@ HairFile sample_hair(uint32_t arrays) {
     hair.default_color = {0.75f, 0.5f, 0.25f};
     hair.info = "made for a test";
     return hair;
-}
-
-/// A .hair file of raw fields: header, then `arrays` bytes.
-std::string raw_hair(uint32_t strands, uint32_t points, uint32_t flags, uint32_t segments, const std::string& arrays) {
-    std::string bytes = "HAIR";
-    for (const uint32_t field : {strands, points, flags, segments}) append(bytes, field);
-    for (const float field : {0.1f, 0.0f, 1.0f, 1.0f, 1.0f}) append(bytes, field);
-    return bytes + std::string(88, '\0') + arrays;
-}
-
-std::string point_bytes(size_t count, float value = 1) {
-    std::string bytes;
-    for (size_t i = 0; i < 3 * count; ++i) append(bytes, value + float(i));
-    return bytes;
 }
 
 void check_equal(const HairFile& a, const HairFile& b) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "accel/build.h"
-#include "tests/hair_fragments_support.h"
+#include "tools/check/scenes/hair_views.h"
 
 using namespace tress;
 using namespace tress::fragments;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests of files share: messages of errors, real data, bytes.
+// What tests of files share: folders, messages of errors, real data.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -9,24 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "core/error.h"
-#include "tests/folder.h"
+#include "tools/check/scenes/folder.h"
+#include "tools/check/scenes/refusal.h"
 
 namespace tress::test {
-
-/// The message of the InputError that `use` throws; empty where it throws none.
-template <class Use>
-std::string message_of(Use&& use) {
-    try {
-        use();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-inline bool is_one_line(const std::string& text) { return !text.empty() && !contains(text, "\n") && text.size() < 500; }
 
 /// A file of the real data that TRESS_DATA names the folder of; none where it is unset, which is said.
 inline std::optional<std::string> real_file(const std::string& name) {
@@ -36,11 +22,6 @@ inline std::optional<std::string> real_file(const std::string& name) {
         return std::nullopt;
     }
     return (std::filesystem::path(folder) / name).string();
-}
-
-template <class T>
-void append(std::string& bytes, T value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 }  // namespace tress::test

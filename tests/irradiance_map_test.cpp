@@ -6,42 +6,13 @@
 
 #include <ctime>
 
-#include "accel/build.h"
 #include "core/head.h"
 #include "core/rng.h"
 #include "core/sampling.h"
-#include "tests/surface_photons.h"
+#include "tools/check/scenes/map_energy.h"
 
 using namespace tress;
 using namespace tress::test;
-
-namespace {
-
-/// Power that the map says lands, by uniformly spread places, in shares of `power`; with its standard error.
-struct Energy {
-    double share, error;
-};
-Energy energy(const IrradianceMap& map, const TriangleMesh& mesh, double power, size_t probes) {
-    const SurfaceSampler surface(mesh);
-    double sum = 0, squares = 0;
-    for (size_t i = 0; i < probes; ++i) {
-        const SurfaceSample at = surface.sample(77, i);
-        const double e = double(irradiance(map, at.position, at.normal).x);
-        sum += e;
-        squares += e * e;
-    }
-    const double n = double(probes), mean = sum / n, variance = (squares / n - mean * mean) / n;
-    const double scale = surface.area() / power;
-    return {mean * scale, std::sqrt(variance) * scale};
-}
-
-IrradianceMap map_of(const PhotonList& photons, const TriangleMesh& mesh, const PhotonOptions& photon_options = {}) {
-    Options options;
-    options.photons = photon_options;
-    return make_irradiance_map(photons, mesh, build_triangle_tree(mesh, options.accel), options);
-}
-
-}  // namespace
 
 TEST_CASE("the map keeps the energy that lands, at edges, corners, creases and curves too") {
     const std::pair<const char*, TriangleMesh> meshes[] = {{"open box", open_box()},

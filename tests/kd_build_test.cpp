@@ -8,9 +8,10 @@
 
 #include "accel/statistics.h"
 #include "core/error.h"
-#include "tests/kd_sets.h"
+#include "tools/check/scenes/kd_sets.h"
 
 namespace tress {
+using namespace scenes;
 namespace {
 
 TreeStatistics statistics_of(const KdTree& tree, const SegmentSet& set, const AccelOptions& options) {

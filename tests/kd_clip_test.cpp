@@ -6,9 +6,10 @@
 
 #include "accel/segment_primitives.h"
 #include "accel/triangle_primitives.h"
-#include "tests/kd_sets.h"
+#include "tools/check/scenes/kd_sets.h"
 
 namespace tress {
+using namespace scenes;
 namespace {
 
 bool holds(const std::vector<uint32_t>& ids, uint32_t id) { return std::binary_search(ids.begin(), ids.end(), id); }

@@ -5,7 +5,7 @@
 #include <tbb/global_control.h>
 
 #include "tests/path_support.h"
-#include "tests/tufts.h"
+#include "tools/check/scenes/tufts.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <numbers>
-
 #include "tests/projection_support.h"
+#include "tools/check/scenes/cone_coverage.h"
 
 using namespace tress;
 using namespace tress::test;
@@ -55,42 +54,6 @@ void check_cone(const PlacedCone& placed, ProjectionDetail detail, double most_e
         CHECK(error < most_error);
         CHECK(std::abs(stopped - exact) < most_bias * exact + 1e-5);
     }
-}
-
-/// Solid angle of the lune between half planes through the axis, cut where the ends are seen: the integral of
-/// s2 / d2 - s1 / d1 over the angle about the axis; 2 asin(r / p) (s2 / d2 - s1 / d1) where it is thin.
-double solid_angle(const Cone& cone, const Vec3& from) {
-    const DVec3 a = DVec3(cone.a) - DVec3(from), axis = DVec3(cone.b) - DVec3(cone.a), u = normalize(axis);
-    const double s1 = dot(a, u), s2 = s1 + length(axis), p = length(a - s1 * u);
-    const double half = std::asin(std::min(double(cone.radius_a) / p, 1.0));
-    constexpr int kSteps = 64;
-    double sum = 0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double foot = p * std::cos(half * ((2 * i + 1.0) / kSteps - 1));
-        sum += s2 / std::hypot(s2, foot) - s1 / std::hypot(s1, foot);
-    }
-    return sum * 2 * half / kSteps;
-}
-
-/// Solid angle of hair of the same small depth everywhere, from the depths of all cells.
-double projected_solid_angle(const ProjectedHair& hair, const Viewpoint& from, double depth) {
-    ProjectionScratch scratch;
-    CellLight light;
-    project(hair.projection, hair.segments(), from, {}, Isa::automatic, scratch, light);
-    double sum = 0;
-    for (size_t cell = 0; cell < light.cells; ++cell) sum += double(scratch.gray.sum(cell));
-    return sum / -std::expm1(-depth) * double(hair.projection.igloo.solid_angle());
-}
-
-/// A segment of length 1 about the origin, and a point 3 radii to 1000 lengths from it, not along its axis.
-std::pair<Cone, Viewpoint> random_sight(uint64_t key) {
-    const float radius = 0.05f * std::exp2(-6 * random(key, 0));
-    const Vec3 half = 0.5f * sample_uniform_sphere({random(key, 1), random(key, 2)});
-    const float distance = 3 * radius * std::pow(1000 / (3 * radius), random(key, 3));
-    const float along = (2 * random(key, 4) - 1) * (0.5f + distance), turn = 2 * kPi * random(key, 5);
-    const Frame about = frame_about(2.0f * half);
-    const Vec3 from = along * about.z + distance * (std::cos(turn) * about.x + std::sin(turn) * about.y);
-    return {{-half, half, radius, radius}, {from, random_frame(hash(key, 6)), Dome::sphere}};
 }
 
 }  // namespace

@@ -14,20 +14,6 @@ Attenuation colored(const std::vector<Rgb>& sigma_a) {
     return {{}, {make_absorption_table(make_fiber({}))}, {}, sigma_a};
 }
 
-/// A straight fiber along x from 0 on, cut into segments.
-StrandSet straight_fiber(int segments, float segment, float radius) {
-    StrandSet strands;
-    strands.constant_radius = radius;
-    for (int i = 0; i <= segments; ++i) strands.add_point({segment * float(i), 0, 0});
-    strands.first = {0, uint32_t(strands.points())};
-    return strands;
-}
-
-Unseen own(const SegmentView& hair, uint32_t segment) {
-    const SegmentRange range = own_strand(hair, segment);
-    return {range.first, range.last};
-}
-
 /// Whether a fiber leaves no trace to points on it, on its axis and on its surface.
 void check_unseen(const StrandSet& strands, ProjectionDetail detail, int cells) {
     Options options = without_gap();
@@ -38,7 +24,7 @@ void check_unseen(const StrandSet& strands, ProjectionDetail detail, int cells) 
     CAPTURE(cells);
     CAPTURE(view.size());
     for (uint32_t segment = 0; segment < view.size(); segment += uint32_t(std::max<size_t>(view.size() / 4, 1))) {
-        const Unseen unseen = own(view, segment);
+        const Unseen unseen = unseen_on(view, segment);
         REQUIRE((unseen.first == 0 && unseen.last + 1 == view.size()));
         const Vec3 middle = 0.5f * (view.start(segment) + view.end(segment));
         for (const Vec3& off : {Vec3(0), Vec3(0, 0, view.start_radius(segment))}) {

@@ -4,7 +4,8 @@
 
 #include "accel/queries.h"
 #include "gather/shading_point.h"
-#include "tests/small_scenes.h"
+#include "tools/check/scenes/pictures.h"
+#include "tools/check/scenes/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;
@@ -12,13 +13,6 @@ using namespace tress::test;
 namespace {
 
 EnvironmentLight white_sky() { return {}; }
-
-bool all_finite(const LayeredImage& picture) {
-    for (const Layer& layer : picture.layers)
-        for (const float v : layer.data)
-            if (!std::isfinite(v)) return false;
-    return true;
-}
 
 /// 40 fibers, a square behind them, every kind of light.
 Scene busy_scene(int size) {

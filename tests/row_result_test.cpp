@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Results of made-up runs whose bias and noise are known, and what is said of them.
-#include "tools/study/row_result.h"
+#include "tools/study/methods/row_result.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "tools/study/verdict.h"
+#include "tools/study/methods/verdict.h"
 
 using namespace tress;
 

@@ -7,10 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <string>
 #include <vector>
 
-#include "tests/folder.h"
+#include "tools/check/scenes/folder.h"
 
 namespace tress::test {
 
@@ -21,11 +22,13 @@ struct CommandResult {
     double peak_megabytes = 0;
 };
 
-inline CommandResult run_tress(const std::vector<std::string>& arguments) {
-    const Folder folder;
-    const std::string out = folder.file("out"), err = folder.file("err");
-    const pid_t child = fork();
-    if (child == 0) {
+/// The command while it runs. What it says goes to files.
+class RunningCommand {
+public:
+    explicit RunningCommand(const std::vector<std::string>& arguments) {
+        const std::string out = folder_.file("out"), err = folder_.file("err");
+        child_ = fork();
+        if (child_ != 0) return;
         dup2(open(out.c_str(), O_CREAT | O_WRONLY, 0600), STDOUT_FILENO);
         dup2(open(err.c_str(), O_CREAT | O_WRONLY, 0600), STDERR_FILENO);
         std::vector<char*> argv{const_cast<char*>(TRESS_COMMAND)};
@@ -34,17 +37,34 @@ inline CommandResult run_tress(const std::vector<std::string>& arguments) {
         execv(TRESS_COMMAND, argv.data());
         _exit(127);
     }
-    int status = 0;
-    rusage usage{};
-    wait4(child, &status, 0, &usage);
-    CommandResult result;
-    result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    result.output = read_bytes(out);
-    result.error = read_bytes(err);
-    const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
-    result.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    result.peak_megabytes = double(usage.ru_maxrss) / 1024;
-    return result;
-}
+    ~RunningCommand() {
+        if (child_ > 0) send(SIGKILL), wait();
+    }
+    RunningCommand(const RunningCommand&) = delete;
+    RunningCommand& operator=(const RunningCommand&) = delete;
+
+    void send(int signal) const { kill(child_, signal); }
+
+    CommandResult wait() {
+        int status = 0;
+        rusage usage{};
+        wait4(child_, &status, 0, &usage);
+        child_ = 0;
+        CommandResult result;
+        result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        result.output = read_bytes(folder_.file("out"));
+        result.error = read_bytes(folder_.file("err"));
+        const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+        result.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+        result.peak_megabytes = double(usage.ru_maxrss) / 1024;
+        return result;
+    }
+
+private:
+    Folder folder_;
+    pid_t child_ = 0;
+};
+
+inline CommandResult run_tress(const std::vector<std::string>& arguments) { return RunningCommand(arguments).wait(); }
 
 }  // namespace tress::test

@@ -3,34 +3,13 @@
 
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <limits>
 
-#include "tests/step_functions.h"
+#include "tools/check/scenes/step_functions.h"
 
 using namespace tress;
 
 namespace {
-
-/// First node exact; depths in order, at most two at one; values fall and lie in [0, 1].
-bool well_formed(const Steps& steps, const StepNodes& nodes) {
-    const size_t n = nodes.depth.size();
-    if (n == 0 || std::bit_cast<uint32_t>(nodes.depth[0]) != std::bit_cast<uint32_t>(steps.depth[0])) return false;
-    bool well = true;
-    for (size_t i = 1; i < n; ++i) well &= nodes.depth[i] >= nodes.depth[i - 1];
-    for (size_t i = 2; i < n; ++i) well &= nodes.depth[i] > nodes.depth[i - 2];
-    for (int c = 0; c < steps.view().channels(); ++c) {
-        well &= nodes.value[c].size() == n && nodes.value[c][0] == 1.0f;
-        for (size_t i = 1; i < n; ++i) well &= nodes.value[c][i] <= nodes.value[c][i - 1] && nodes.value[c][i] >= 0;
-    }
-    return well;
-}
-
-double worst_error(const Steps& steps, const StepNodes& nodes) {
-    double worst = 0;
-    for (int c = 0; c < steps.view().channels(); ++c) worst = std::max(worst, greatest_error(steps, nodes, c));
-    return worst;
-}
 
 StepNodes compressed(const Steps& steps, float bound) {
     StepNodes nodes;
@@ -82,27 +61,21 @@ size_t count_by_fixed_nodes(const Steps& steps, double bound) {
 TEST_CASE("compression keeps its bound on both sides of every step, falls, and starts exactly") {
     StepCompressor compress;
     StepNodes nodes;
-    const float bounds[] = {0, 1e-3f, 0.01f, 0.05f, 0.2f};
-    double largest_share[5] = {};
+    double largest_share[std::size(kStepBounds)] = {};
     for (uint64_t i = 0; i < 100'000; ++i) {
-        const int shape = int(i % kStepShapes), channels = i / kStepShapes % 2 ? 3 : 1;
-        const float length = random(hash(1, i), 0);
-        const size_t count = 1 + size_t(300 * length * length * length), b = size_t(i / 20 % 5);
-        const Steps steps = random_steps(hash(2, i), shape, count, channels);
-        compress(steps.view(), bounds[b], nodes);
-        const double error = worst_error(steps, nodes);
-        const bool good = well_formed(steps, nodes) && error <= double(bounds[b]);
+        const StepCase tried = step_case(i);
+        const float bound = kStepBounds[tried.bound];
+        compress(tried.steps.view(), bound, nodes);
+        const double error = greatest_error(tried.steps, nodes);
+        const bool good = well_formed(tried.steps, nodes) && error <= double(bound);
         CAPTURE(i);
-        CAPTURE(shape);
-        CAPTURE(channels);
-        CAPTURE(count);
-        CAPTURE(bounds[b]);
+        CAPTURE(bound);
         CAPTURE(error);
         if (!good) REQUIRE(good);
-        largest_share[b] = std::max(largest_share[b], error / double(bounds[b]));
+        largest_share[tried.bound] = std::max(largest_share[tried.bound], error / double(bound));
     }
     // The bound is used: were it halved, this test would fail.
-    for (size_t b = 1; b < 5; ++b) CHECK(largest_share[b] > 0.99);
+    for (size_t b = 1; b < std::size(kStepBounds); ++b) CHECK(largest_share[b] > 0.99);
 }
 
 TEST_CASE("steps of a hair's shape take ever fewer nodes as the bound grows, and fewer than with fixed nodes") {
@@ -150,7 +123,7 @@ TEST_CASE("a step higher than twice the bound is a drop at its depth, whatever l
     }
     const StepNodes nodes = compressed(steps, 0.01f);
     CHECK(nodes.depth == std::vector<float>{0, 50, 50, 99});
-    CHECK(worst_error(steps, nodes) <= 0.01f);
+    CHECK(greatest_error(steps, nodes) <= 0.01f);
 }
 
 TEST_CASE("the ends of what floats hold: depths one apart in the last bit, 1e30, denormal, and 1e4 steps") {
@@ -174,7 +147,7 @@ TEST_CASE("the ends of what floats hold: depths one apart in the last bit, 1e30,
             }
             const StepNodes nodes = compressed(steps, bound);
             CHECK(well_formed(steps, nodes));
-            CHECK(worst_error(steps, nodes) <= double(bound));
+            CHECK(greatest_error(steps, nodes) <= double(bound));
         }
     }
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tools/study/study_row.h"
+#include "tools/study/methods/study_row.h"
 
 #include <doctest/doctest.h>
 
 #include <set>
 
 #include "core/error.h"
+#include "tools/study/sweep.h"
 
 using namespace tress;
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/whole_file.h"
 
-#include <sys/resource.h>
 #include <sys/stat.h>
-
-#include <csignal>
 
 #include "io/byte_reader.h"
 #include "tests/io_support.h"
+#include "tools/check/scenes/full_disk.h"
 
 using namespace tress;
 using namespace tress::test;
@@ -59,14 +57,11 @@ TEST_CASE("places that cannot be written are refused in one line before anything
 
 TEST_CASE("a disk that is full leaves nothing behind") {
     const Folder folder;
-    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);  // the limit then is an error of write, as a full disk is
-    rlimit old{};
-    REQUIRE(getrlimit(RLIMIT_FSIZE, &old) == 0);
-    const rlimit small{1000, old.rlim_max};
-    REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
-    const std::string message = message_of([&] { write_text_file(folder.file("a"), std::string(100000, 'x')); });
-    REQUIRE(setrlimit(RLIMIT_FSIZE, &old) == 0);
-    std::signal(SIGXFSZ, old_handler);
+    std::string message;
+    {
+        const FullDisk full(1000);
+        message = message_of([&] { write_text_file(folder.file("a"), std::string(100000, 'x')); });
+    }
     CHECK(is_one_line(message));
     CHECK(folder.entries() == 0);
 }

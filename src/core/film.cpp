@@ -101,11 +101,8 @@ void add(Film& film, size_t pixel, const FilmSample& sample) {
 }
 
 size_t bytes(const Film& film) {
-    size_t total = film.depth.capacity() * sizeof(double) +
-                   (film.hits.capacity() + film.hair_hits.capacity() + film.samples.capacity()) * sizeof(uint32_t);
-    for (const Sums* sums : {&film.beauty, &film.squares, &film.albedo}) total += sums->capacity() * sizeof(glm::dvec3);
-    for (const TypeSums& type : film.types)
-        total += type.light.capacity() * sizeof(glm::dvec3) + type.squares.capacity() * sizeof(double);
+    size_t total = 0;
+    for_each_array(film, [&](const auto& array) { total += array.capacity() * sizeof(array[0]); });
     return total;
 }
 

@@ -37,6 +37,14 @@ struct Film {
     std::vector<uint32_t> hits, hair_hits, samples;
 };
 
+/// Calls f with every array, absent ones too.
+template <class AnyFilm, class F>
+void for_each_array(AnyFilm& film, const F& f) {
+    f(film.beauty), f(film.squares), f(film.albedo);
+    for (auto& type : film.types) f(type.light), f(type.squares);
+    f(film.depth), f(film.hits), f(film.hair_hits), f(film.samples);
+}
+
 /// Throws InputError where the picture has no pixels or more than a film is made for.
 void check_film_size(int width, int height);
 Film make_film(int width, int height, const Plan& plan);

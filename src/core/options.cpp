@@ -140,6 +140,14 @@ std::vector<OptionField> option_fields(Options& o) {
     };
 }
 
+std::string options_text(Options options, std::initializer_list<std::string_view> without) {
+    std::string text;
+    for (const OptionField& field : option_fields(options))
+        if (std::find(without.begin(), without.end(), field.key) == without.end())
+            text += field.key + "=" + option_text(field) + "\n";
+    return text;
+}
+
 std::string accepted(const OptionField& field) {
     if (std::holds_alternative<bool*>(field.value)) return "true or false";
     std::ostringstream text;

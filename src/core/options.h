@@ -160,6 +160,9 @@ std::string_view isa_name(Isa isa);
 /// The value as set_option would read it.
 std::string option_text(const OptionField& field);
 
+/// All options as lines of "key=value", in the order of the list, without those named.
+std::string options_text(Options options, std::initializer_list<std::string_view> without = {});
+
 /// "one of a, b, c" or "a whole number from 1 to 64": what a field accepts.
 std::string accepted(const OptionField& field);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/study/row_result.h"
+#include "tools/study/methods/row_result.h"
 
 namespace tress {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/study/html.h"
 
-#include "tools/study/number_text.h"
+#include "tools/number_text.h"
 
 namespace tress {
 namespace {
@@ -84,6 +84,21 @@ std::string to_html(const Table& table) {
         html += "</tr>\n";
     }
     return html + "</tbody></table></div></section>\n";
+}
+
+void mark_best(Table& table, size_t column, bool smallest) {
+    NumberCell* best = nullptr;
+    double best_value = 0;
+    for (TableRow& row : table.rows) {
+        NumberCell& cell = row.cells[column];
+        const Json* const number = find(*cell.json, cell.pointer);
+        if (!number || !number->is_number()) continue;
+        const double value = number->get<double>();
+        if (best && (smallest ? value >= best_value : value <= best_value)) continue;
+        best = &cell;
+        best_value = value;
+    }
+    if (best) best->best = true;
 }
 
 }  // namespace tress

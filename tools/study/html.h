@@ -52,4 +52,7 @@ struct Table {
 };
 std::string to_html(const Table& table);
 
+/// Marks the smallest (or largest) number of a column.
+void mark_best(Table& table, size_t column, bool smallest);
+
 }  // namespace tress

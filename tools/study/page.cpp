@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "tools/study/page.h"
 
+#include <filesystem>
+
 #include "core/shared_exponent.h"
 #include "io/base64.h"
 #include "io/png_file.h"
+#include "io/whole_file.h"
 #include "tools/comparison.h"
+#include "tools/study/methods/picture_error.h"
 #include "tools/study/page_assets.h"
-#include "tools/study/picture_error.h"
 
 namespace tress {
 namespace {
@@ -59,8 +62,8 @@ std::string script_safe(std::string text) {
 std::string plots_html(const Page& page) {
     if (page.plots.empty()) return {};
     std::string html = "<section id=\"plots\"><h2>Plots</h2>\n";
-    for (const auto& [plot, caption] : page.plots)
-        html += "<figure>" + svg_plot(plot) + "<figcaption>" + caption + "</figcaption></figure>\n";
+    for (const PagePlot& plot : page.plots)
+        html += "<figure>" + svg_plot(plot.plot) + "<figcaption>" + plot.caption + "</figcaption></figure>\n";
     return html + "</section>\n";
 }
 
@@ -99,6 +102,14 @@ std::string to_html(const Page& page) {
         html += "<script type=\"application/json\" id=\"pictures-data\">" + script_safe(viewer_data(page).dump()) +
                 "</script>\n";
     return html + "<script>\n" + kPageScript + "</script>\n</body></html>\n";
+}
+
+void write_page(const Page& page, const std::string& folder) {
+    const auto write = [&](const std::string& name, const std::string& text) {
+        write_text_file((std::filesystem::path(folder) / name).string(), text);
+    };
+    for (const PagePlot& plot : page.plots) write(plot.file, svg_plot(plot.plot));
+    write("index.html", to_html(page));
 }
 
 }  // namespace tress

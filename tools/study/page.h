@@ -17,18 +17,27 @@ struct PagePicture {
     LayeredImage layers;
 };
 
+struct PagePlot {
+    Plot plot;
+    std::string file;     // name of the SVG beside the page
+    std::string caption;  // HTML
+};
+
 struct Page {
     std::string title;
     std::vector<std::string> facts;  // what was studied and by what, text
     std::string verdict;             // HTML; empty: none
     std::vector<std::string> notes;  // HTML, below the verdict
     std::vector<Table> tables;
-    std::vector<std::pair<Plot, std::string>> plots;  // with what is said below each, HTML
+    std::vector<PagePlot> plots;
     std::vector<PagePicture> pictures;
     float exposure = 0;  // stops, of the viewer at first
     bool plots_first = false;
 };
 
 std::string to_html(const Page& page);
+
+/// Writes index.html and the plots into the folder.
+void write_page(const Page& page, const std::string& folder);
 
 }  // namespace tress

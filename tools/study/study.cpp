@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "tools/study/method_study.h"
+#include "tools/study/accel/accel_study.h"
+#include "tools/study/methods/method_study.h"
 
 namespace tress {
 namespace {
@@ -35,6 +36,27 @@ void add_method_study(CLI::App& study, const char* name, const char* help, Metho
     command->callback([a, kind] { run_method_study(*a, kind); });
 }
 
+void add_accel_study(CLI::App& study) {
+    const auto a = std::make_shared<AccelStudyArguments>();
+    CLI::App* command = study.add_subcommand(
+        "accel", "options of the tree of hair: cost predicted, build, memory, and speed on the rays of a render");
+    add_scene_arguments(*command, a->scene);
+    command->add_option("-o,--output", a->output, "folder for the page and its figures")->required();
+    command->add_option("--row", a->rows, "a tree: \"accel.key=value ...\" [a list that goes through all options]")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--sweep", a->sweeps,
+                     "accel.key=value,value,...: each row, or the scene's tree, with each of them; more: their grid")
+        ->allow_extra_args(false);
+    command->add_option("--rounds", a->rounds, "times that all is measured [3; quick: 1]")->check(CLI::Range(1, 1000));
+    command->add_flag("--quick", a->quick, "a first page in under two minutes: a short list, one round");
+    command->add_flag("--quiet", a->quiet, "no progress");
+    command->footer(
+        "--time: seconds of tracing a set of rays [1; quick: 0.4]. Rays are those of a picture of the scene's size.\n"
+        "What OUTPUT holds already of the same study is not done again.");
+    command->callback([a] { run_accel_study(*a); });
+}
+
 }  // namespace
 
 void add_study_command(CLI::App& app) {
@@ -44,6 +66,7 @@ void add_study_command(CLI::App& app) {
                      MethodStudyKind::methods);
     add_method_study(*study, "convergence", "error against time, for chosen methods and options",
                      MethodStudyKind::convergence);
+    add_accel_study(*study);
 }
 
 }  // namespace tress

@@ -3,15 +3,15 @@
 
 #include <tbb/info.h>
 
-#include <algorithm>
-
 #include "accel/isa_targets.h"
 #include "core/scene_hash.h"
 #include "tools/machine.h"
+#include "tools/number_text.h"
 #include "tools/render_stats.h"
 #include "tools/signature.h"
 
 namespace tress {
+
 StudyScene study_scene(const SceneArguments& arguments, const SceneDescription& description, const Scene& scene) {
     StudyScene s;
     s.arguments = arguments;
@@ -28,14 +28,6 @@ StudyScene study_scene(const SceneArguments& arguments, const SceneDescription& 
     s.compiler = compiler_name();
     s.program = program_signature();
     return s;
-}
-
-std::string options_text(Options options, std::initializer_list<std::string_view> without) {
-    std::string text;
-    for (const OptionField& field : option_fields(options))
-        if (std::find(without.begin(), without.end(), field.key) == without.end())
-            text += field.key + "=" + option_text(field) + "\n";
-    return text;
 }
 
 Json header(const StudyScene& s, const char* kind) {
@@ -55,6 +47,15 @@ Json header(const StudyScene& s, const char* kind) {
             {"program", s.program},
             {"seed", s.options.seed},
             {"options", option_texts(s.options)}};
+}
+
+std::vector<std::string> facts(const Json& h) {
+    const auto text = [&](const char* key) { return h[key].get<std::string>(); };
+    const auto count = [&](const char* key) { return grouped(h[key].get<unsigned long long>()); };
+    return {text("scene") + ": " + count("segments") + " hair segments, " + count("triangles") + " triangles, " +
+                h["width"].dump() + " × " + h["height"].dump() + " pixels",
+            text("processor") + ", " + h["threads"].dump() + " threads, " + text("isa") + "; " + text("compiler") +
+                "; tress " + text("version") + "; seed " + h["seed"].dump()};
 }
 
 }  // namespace tress

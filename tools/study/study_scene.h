@@ -23,10 +23,10 @@ struct StudyScene {
 /// Of a scene that is loaded; it need not stay so.
 StudyScene study_scene(const SceneArguments& arguments, const SceneDescription& description, const Scene& scene);
 
-/// All options as text, in the order of their list, without those named.
-std::string options_text(Options options, std::initializer_list<std::string_view> without);
-
 /// The first line of the study's file.
 Json header(const StudyScene& scene, const char* kind);
+
+/// What was studied and by what, a line each, of that first line.
+std::vector<std::string> facts(const Json& header);
 
 }  // namespace tress
