@@ -93,3 +93,19 @@ TEST_CASE("what a ray leaves by identity reaches some radii along a finely cut s
     CHECK(end.last == 99);
     CHECK(next.first == 100);
 }
+
+TEST_CASE("a strand goes on where a segment was too short to be kept, and breaks where a point is not finite") {
+    StrandSet strands;
+    strands.constant_radius = 0.01f;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const float x : {0.0f, 1.0f, 1.0f, 2.0f, nan, 3.0f, 4.0f}) strands.add_point({x, 0, 0});
+    strands.first = {0, uint32_t(strands.points())};
+    const SegmentList list = list_segments(strands);
+    const SegmentView segments = view(strands, list);
+    REQUIRE(list.point == std::vector<uint32_t>{0, 2, 5});
+    CHECK(list.dropped == 3);
+    CHECK(joined(segments, 0, 1));
+    CHECK_FALSE(joined(segments, 1, 2));
+    CHECK(own_strand(segments, 0).last == 1);
+    CHECK(own_strand(segments, 2).first == 2);
+}

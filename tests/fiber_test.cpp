@@ -214,7 +214,7 @@ TEST_CASE("many directions at once get the values that each gets alone") {
 TEST_CASE("f keeps its value when light is reversed, exactly where the model says so") {
     // M is symmetric without tilt. At an index of 1 nothing else depends on h or theta_o: f |cos theta| is symmetric.
     const Reciprocity near_field = near_field_reciprocity(4000);
-    CHECK(near_field.glassless.largest < 5e-5);
+    CHECK(near_field.glassless.largest < 2e-4);  // exponents of M reach 2 / v = 95
     CHECK(near_field.opposite.largest < 5e-4);
     CHECK(near_field.any.of_sums < 0.08);  // as stated in core/fiber.h
     MESSAGE("mean asymmetry of f |cos theta|, averaged over h: " << near_field.any.of_sums);

@@ -138,7 +138,7 @@ TEST_CASE("headers that lie are refused in one line, whatever they claim") {
         {raw_hair(1, most, 2, 1, points), "expected"},
         {raw_hair(2, 2, 2, 0, points), "no strands of two points"},
         {raw_hair(1, 2, 2, 2, points), "2 points, expected 3"},
-        {raw_hair(1, 2, 2, 1, points + "x"), "153 bytes, expected 152"},
+        {raw_hair(1, 2, 2, 1, points + "x"), "byte 152: 153 bytes in all, expected 152"},
         {"HAIR", "byte 0"},
         {"", "byte 0"},
         {std::string(200, 'x'), "expected the letters HAIR"},

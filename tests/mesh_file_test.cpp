@@ -151,6 +151,13 @@ TEST_CASE("polygons of an .obj file are cut as fans, whatever way their corners 
     CHECK(mesh.normal.empty());
 }
 
+TEST_CASE("lines of an .obj file may end in a carriage return alone, and faces in them are checked too") {
+    const Folder folder;
+    const TriangleMesh mesh = read_mesh_file(write_bytes(folder.file("a.obj"), "v 0 0 0\rv 1 0 0\rv 1 1 0\rf 1 2 3\r"));
+    CHECK(mesh.corner == std::vector<uint32_t>{0, 1, 2});
+    CHECK(contains(obj_message(folder, "v 0 0 0\rf 1 2 3\r"), "line 2: vertex 2"));
+}
+
 TEST_CASE("an .obj vertex with two normals becomes two, and normals become unit") {
     const Folder folder;
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nvn 0 3 0\nvn 0 0 0\n";

@@ -28,14 +28,15 @@ struct Crossing {
 template <class OnCrossing>
 HWY_INLINE void for_each_crossing(const LocalRay& ray, const float* block, size_t lane, const SegmentHits& hits,
                                   float t_in, float t_out, const OnCrossing& on_crossing) {
-    uint32_t bits = bits_of(met_within(hits, t_in, t_out));
+    uint32_t bits = met_within(ray, block, lane, hits, t_in, t_out);
     if (bits == 0) return;
     const HitArrays at(hits);
     for (; bits != 0; bits &= bits - 1) {
         const uint32_t k = uint32_t(std::countr_zero(bits));
-        on_crossing(Crossing{ray.caller_t(at.t[k]), at.u[k], offset_in_radii(at.side[k], at.radius[k]),
-                             identity(block, lane + k)},
-                    lane + k);
+        const float t = std::clamp(at.t[k], t_in, t_out);  // in the order of leaves, whatever the rounding
+        on_crossing(
+            Crossing{ray.caller_t(t), at.u[k], offset_in_radii(at.side[k], at.radius[k]), identity(block, lane + k)},
+            lane + k);
     }
 }
 

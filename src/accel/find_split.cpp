@@ -12,10 +12,6 @@ namespace {
 
 constexpr float kDeepest = 60;  // levels, whatever the options say: traversals keep a stack of fixed size
 
-/// References a primitive that all leaves together may hold. Long hair in dense hair needs 5 at the defaults and 10 at
-/// a traversal cost of 2; what needs more than this would fill the memory.
-constexpr uint64_t kReferenceCap = 16;
-
 }  // namespace
 
 std::optional<Split> find_split(std::span<const Reference> references, const Bounds& cell, const AccelOptions& options,
@@ -37,10 +33,11 @@ std::optional<Split> find_split(std::span<const Reference> references, const Bou
 
 PendingNode root_node(const Bounds& bounds, size_t primitives, const AccelOptions& options) {
     const float depth = options.depth_base + options.depth_factor * std::log2(float(std::max<size_t>(primitives, 1)));
+    const auto references = uint64_t(double(options.references) * double(primitives));
     return {.cell = bounds,
             .levels_left = uint32_t(std::clamp(depth, 0.0f, kDeepest)),
             .failed_splits_left = options.failed_splits,
-            .budget = std::clamp<uint64_t>(kReferenceCap * primitives, primitives, KdNode::kMaxIndex)};
+            .budget = std::clamp<uint64_t>(references, primitives, KdNode::kMaxIndex)};
 }
 
 bool may_split(const PendingNode& node, size_t references, const AccelOptions& options) {

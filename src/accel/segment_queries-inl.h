@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "accel/crossing_owner-inl.h"
 #include "accel/for_each_ray-inl.h"
 #include "accel/segment_test-inl.h"
 #include "accel/traverse-inl.h"
@@ -18,11 +19,6 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-/// Lanes of `met` from `low` up to, not with, `high`.
-HWY_INLINE Lanes met_within(const SegmentHits& hits, float low, float high) {
-    const FloatTag d;
-    return hn::And(hits.met, hn::And(hn::Ge(hits.t, hn::Set(d, low)), hn::Lt(hits.t, hn::Set(d, high))));
-}
 HWY_INLINE uint32_t identity(const float* block, size_t lane) {
     return std::bit_cast<uint32_t>(block[segment_row::id * kLanes + lane]);
 }
@@ -80,7 +76,6 @@ struct NearestSegment {
     }
 };
 
-/// A crossing counts in the leaf whose interval holds its t, so each counts once.
 template <Ends kEnds, bool kVarying>
 struct CountCrossings {
     const SegmentScene& scene;
@@ -89,8 +84,8 @@ struct CountCrossings {
     uint32_t count = 0;
 
     HWY_INLINE bool leaf(const KdNode& node, float t_in, float t_out) {
-        const auto on_hits = [&](const float*, size_t, const SegmentHits& hits) {
-            count += uint32_t(hn::CountTrue(FloatTag(), met_within(hits, t_in, t_out)));
+        const auto on_hits = [&](const float* block, size_t lane, const SegmentHits& hits) {
+            count += uint32_t(std::popcount(met_within(ray, block, lane, hits, t_in, t_out)));
             return count >= limit;
         };
         return meet_segments<kEnds, kVarying>(scene, ray, node, LeafView(ray, t_in, t_out, scene), on_hits);
@@ -119,7 +114,7 @@ struct SumDepths {
 
     HWY_INLINE bool leaf(const KdNode& node, float t_in, float t_out) {
         const auto on_hits = [&](const float* block, size_t lane, const SegmentHits& hits) {
-            for (uint32_t bits = bits_of(met_within(hits, t_in, t_out)); bits != 0; bits &= bits - 1) {
+            for (uint32_t bits = met_within(ray, block, lane, hits, t_in, t_out); bits != 0; bits &= bits - 1) {
                 const size_t k = lane + uint32_t(std::countr_zero(bits));
                 depth += glm::dvec3(attenuation.depth(identity(block, k), abs_sin_theta(ray, block, k)));
                 if (least(depth) > limit) return true;

@@ -70,6 +70,8 @@ HWY_INLINE Lanes may_meet(const Uints& id, const LocalRay& ray) {
 /// in [0, 1) of the axis, so that of two segments that share an end only one is met there.
 enum class Ends { round, open };
 
+inline constexpr float kParallel = 1e-12f;  // squared sine between ray and axis below which they are parallel
+
 /// What the ray does at the segments of some lanes; lanes not in `met` hold anything.
 struct SegmentHits {
     Lanes met;
@@ -149,7 +151,6 @@ HWY_INLINE bool meet_segments(const SegmentScene& scene, const LocalRay& ray, co
             // parallel to the ray up to rounding is met at its start.
             const Floats3 rest = view.rest();
             const Floats3 a = start - rest;
-            constexpr float kParallel = 1e-12f;  // sine squared
             const Lanes oblique = hn::Gt(nn, hn::Mul(hn::Set(tag, kParallel * ray.squared), dot(axis, axis)));
             const Floats from_start = dot(cross(d, a), n);
             const Floats u_line = hn::IfThenElseZero(oblique, hn::Neg(hn::Div(from_start, nn)));
@@ -158,7 +159,7 @@ HWY_INLINE bool meet_segments(const SegmentScene& scene, const LocalRay& ray, co
             const Floats t = hn::Mul(dot(closest, d), hn::Set(tag, inverse_squared));
             const Floats3 across = closest - t * d;
             const Floats radius = kVarying ? hn::Add(start_radius, hn::Mul(u, slope)) : start_radius;
-            Lanes met = hn::And(near, hn::Le(dot(across, across), hn::Mul(radius, radius)));
+            Lanes met = hn::And(near, hn::Lt(dot(across, across), hn::Mul(radius, radius)));  // never of radius 0
             if constexpr (kEnds == Ends::open) {
                 // 0 <= u < 1, asked at the ends: of two segments that share one, both see the same numbers there.
                 const Floats3 end = load_rows(block + segment_row::x * kLanes, lane) + axis;

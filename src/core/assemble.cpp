@@ -10,10 +10,23 @@ namespace {
 constexpr double kUlpsAFiber = 4;  // a fiber thinner than this many ulp of its coordinates has no shape left
 constexpr size_t kMostPoints = 0xfffffffe;
 
+/// Calls use(point) with the ends of every segment that is kept: what is dropped moves nothing else.
+template <class Use>
+void for_kept_points(const StrandSet& strands, const Use& use) {
+    for (size_t strand = 0; strand < strands.strands(); ++strand) {
+        bool used = false;  // point p, by the segment before it
+        for (uint32_t p = strands.first[strand]; p + 1 < strands.first[strand + 1]; ++p) {
+            const bool kept = fate_of_segment(strands, p) == SegmentFate::kept;
+            if (kept && !used) use(strands.point(p));
+            if (kept) use(strands.point(p + 1));
+            used = kept;
+        }
+    }
+}
+
 DBounds placed_bounds(const PlacedHair& hair) {
     DBounds box;
-    for (size_t i = 0; i < hair.strands.points(); ++i)
-        if (const Vec3 p = hair.strands.point(i); is_finite(p)) box.add(hair.placement.point(DVec3(p)));
+    for_kept_points(hair.strands, [&](const Vec3& p) { box.add(hair.placement.point(DVec3(p))); });
     return box;
 }
 
@@ -34,8 +47,7 @@ DBounds all_bounds(const Objects& objects) {
 
 double largest_coordinate(const StrandSet& s) {
     double largest = 0;
-    for (size_t i = 0; i < s.points(); ++i)
-        if (const Vec3 p = s.point(i); is_finite(p)) largest = std::max<double>(largest, max_component(abs(p)));
+    for_kept_points(s, [&](const Vec3& p) { largest = std::max<double>(largest, max_component(abs(p))); });
     return largest;
 }
 

@@ -3,20 +3,19 @@
 
 #include <cassert>
 #include <numbers>
-#include <sstream>
 
 #include "core/error.h"
 #include "core/fiber_chiang.h"
 #include "core/fiber_marschner.h"
+#include "core/shortest_text.h"
 
 namespace tress {
 namespace {
 
 void check(const char* name, float value, float lowest, float highest) {
     if (value >= lowest && value <= highest) return;
-    std::ostringstream problem;
-    problem << value << ", expected a number from " << lowest << " to " << highest;
-    throw InputError(std::string("fiber.") + name, problem.str());
+    throw InputError(std::string("fiber.") + name, shortest_text(value) + ", expected a number from " +
+                                                       shortest_text(lowest) + " to " + shortest_text(highest));
 }
 
 /// Longitudinal variance of R (Chiang et al. 2016).

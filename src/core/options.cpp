@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/shortest_text.h"
 
 namespace tress {
 namespace {
@@ -61,13 +62,6 @@ int parse_choice(const std::string& where, const OptionField& field, std::string
     throw InputError(where, "'" + std::string(text) + "' for " + field.key + ", expected " + accepted(field));
 }
 
-template <class T>
-std::string number_text(T value) {
-    char text[40];
-    const auto result = std::to_chars(text, text + sizeof text, value);
-    return {text, result.ptr};
-}
-
 }  // namespace
 
 std::vector<OptionField> option_fields(Options& o) {
@@ -101,6 +95,7 @@ std::vector<OptionField> option_fields(Options& o) {
         {"accel.depth_base", &a.depth_base, 0, 60, "depth limit: base + factor log2(n), at most 60"},
         {"accel.depth_factor", &a.depth_factor, 0, 10, "depth limit: base + factor log2(n), at most 60"},
         {"accel.failed_splits", &a.failed_splits, 0, 60, "splits dearer than a leaf allowed on a path"},
+        {"accel.references", &a.references, 1, 100, "references a segment that all leaves together may hold"},
         {"photons.count", &p.count, 0, kMaxCount, "emitted, from all lights together"},
         {"photons.nearest", &p.nearest, 2, 65536, "photons that an estimate takes"},
         {"photons.radius", &p.radius, 0, 1e30, "largest of an estimate, scene units; 0: by the density of photons"},
@@ -157,8 +152,8 @@ std::string accepted(const OptionField& field) {
         return text.str();
     }
     const bool whole = std::holds_alternative<int*>(field.value) || std::holds_alternative<uint64_t*>(field.value);
-    text << (whole ? "a whole number" : "a number") << " from " << number_text(field.lowest) << " to "
-         << number_text(field.highest);
+    text << (whole ? "a whole number" : "a number") << " from " << shortest_text(field.lowest) << " to "
+         << shortest_text(field.highest);
     return text.str();
 }
 
@@ -226,7 +221,7 @@ std::string option_text(const OptionField& field) {
             else if constexpr (std::is_same_v<T, bool*>)
                 return *value ? "true" : "false";
             else
-                return number_text(*value);
+                return shortest_text(*value);
         },
         field.value);
 }

@@ -32,13 +32,17 @@ private:
     float radius_at(uint32_t p) const { return radius.empty() ? constant_radius : radius[p]; }
 };
 
+/// What becomes of the segment from point p to p + 1. Dropped: a point or radius that is not finite, a negative radius,
+/// a length of at most max(16 ulp of its coordinates, a thousandth of its radius). Of radius 0: unseen.
+enum class SegmentFate { kept, dropped, unseen };
+SegmentFate fate_of_segment(const StrandSet& strands, uint32_t p);
+
 struct SegmentList {
     std::vector<uint32_t> point;  // first point of each segment kept, ascending
-    uint64_t dropped = 0;         // not finite, negative radius, or too short to have a direction
+    uint64_t dropped = 0;         // as SegmentFate says; those of radius 0 are left out and not counted
 };
 
-/// Segments of `strands` worth tracing. Dropped: a point or radius that is not finite, a negative radius, a length of
-/// at most max(16 ulp of its coordinates, a thousandth of its radius). Of radius 0: left out, not counted as dropped.
+/// Segments of `strands` worth tracing.
 SegmentList list_segments(const StrandSet& strands);
 
 SegmentView view(const StrandSet& strands, const SegmentList& list);
@@ -53,7 +57,12 @@ struct SegmentRange {
 inline constexpr float kOwnStrandRadii = 16;
 SegmentRange own_strand(const SegmentView& segments, uint32_t segment);
 
-/// Box of all segments, radii included.
-Bounds bounds(const SegmentView& segments);
+/// Whether `after`, a later segment, goes on where `before` ends: at the same point, or, where a segment between them
+/// was too short to be kept, as near as that.
+bool joined(const SegmentView& segments, uint32_t before, uint32_t after);
+
+/// Box of segments, radii included.
+Bounds bounds(const SegmentView& segments, const SegmentRange& range);
+Bounds bounds(const SegmentView& segments);  // all
 
 }  // namespace tress

@@ -99,7 +99,10 @@ private:
     Checksum sum_;
 };
 
-std::span<double> numbers(std::vector<glm::dvec3>& array) { return {&array.data()->x, 3 * array.size()}; }
+std::span<double> numbers(std::vector<glm::dvec3>& array) {
+    if (array.empty()) return {};
+    return {&array.front().x, 3 * array.size()};
+}
 template <class T>
 std::span<T> numbers(std::vector<T>& array) {
     return array;

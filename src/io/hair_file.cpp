@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "io/hair_file.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
 #include "core/error.h"
+#include "core/shortest_text.h"
 #include "io/whole_file.h"
 
 namespace tress {
@@ -54,10 +57,14 @@ void check_header(const ByteReader& in, const Header& h) {
         throw InputError(path + ": byte 12",
                          "unknown arrays (flags " + std::to_string(h.arrays) + "), expected 1 to 31");
     if (!(h.arrays & kPoints)) throw InputError(path + ": byte 12", "no array of points, expected one");
+    if (!(h.arrays & kThickness) && h.thickness < 0)
+        throw InputError(path + ": byte " + std::to_string(offsetof(Header, thickness)),
+                         shortest_text(h.thickness) + " as the thickness of all hair, expected none below 0");
     const uint64_t expected = sizeof(Header) + bytes_of_arrays(h);
     if (in.size() != expected)
-        throw InputError(path, std::to_string(in.size()) + " bytes, expected " + std::to_string(expected) + " for " +
-                                   std::to_string(h.strands) + " strands and " + std::to_string(h.points) + " points");
+        throw InputError(path + ": byte " + std::to_string(std::min(in.size(), expected)),
+                         std::to_string(in.size()) + " bytes in all, expected " + std::to_string(expected) + " for " +
+                             std::to_string(h.strands) + " strands and " + std::to_string(h.points) + " points");
 }
 
 /// first[] of all strands; the points they say they have must be those of the header.
@@ -127,7 +134,8 @@ HairFile read_hair_file(const std::string& path) {
     hair.default_transparency = h.transparency;
     hair.default_color = {h.color[0], h.color[1], h.color[2]};
     hair.info.assign(h.info, strnlen(h.info, kInfoBytes));
-    hair.dropped_strands = drop_short_strands(path, strands, hair.transparency);
+    const uint64_t counts_at = (h.arrays & kSegments) ? sizeof(Header) : offsetof(Header, segments);
+    hair.dropped_strands = drop_short_strands(path, counts_at, strands, hair.transparency);
     return hair;
 }
 

@@ -19,7 +19,7 @@ struct HairFile : StrandData {        // constant_radius: half the default thick
 };
 
 /// Throws InputError where the length of the file is not what its header says, or there are no strands.
-/// A default thickness that is negative or not finite counts as none.
+/// Also where the thickness of all hair is negative; one that is not finite counts as none.
 HairFile read_hair_file(const std::string& path);
 
 /// Whole or not at all. Throws InputError where a strand has more than the 65,535 segments the format can say.

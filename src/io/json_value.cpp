@@ -2,10 +2,10 @@
 #include "io/json_value.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/shortest_text.h"
 #include "io/text_scanner.h"
 
 namespace tress {
@@ -29,12 +29,6 @@ std::string found(const JsonNode& node) {
             break;
     }
     return "an object";
-}
-
-std::string number_text(double value) {
-    char text[40];
-    const auto result = std::to_chars(text, text + sizeof text, value);
-    return {text, result.ptr};
 }
 
 /// A key for a message or a place in one.
@@ -122,7 +116,7 @@ double JsonValue::number(double lowest, double highest) const {
     double value = 0;
     const bool is_good =
         node_->kind == Kind::number && parse(node_->text, value) && value >= lowest && value <= highest;
-    if (!is_good) fail_kind("a number from " + number_text(lowest) + " to " + number_text(highest));
+    if (!is_good) fail_kind("a number from " + shortest_text(lowest) + " to " + shortest_text(highest));
     return value;
 }
 

@@ -55,7 +55,14 @@ void check_face(TextScanner& in) {
     if (corners < 3) in.fail("a face of " + std::to_string(corners) + " corners, expected 3 or more");
 }
 
+/// Lines end where the library takes them to: at a carriage return alone, too.
+void end_lines_alike(std::string& text) {
+    for (size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1))
+        text[at] = at + 1 < text.size() && text[at + 1] == '\n' ? ' ' : '\n';
+}
+
 CheckedLines checked_lines(const std::string& path, std::string& text) {
+    end_lines_alike(text);
     // A backslash joins lines. The line number is then off by one, which no file seen minds.
     for (size_t at = text.find("\\\n"); at != std::string::npos; at = text.find("\\\n", at)) text.replace(at, 2, "  ");
     CheckedLines lines;

@@ -46,12 +46,14 @@ void append_colors(ByteReader& in, uint64_t count, int floats_each, std::vector<
                  [&](const float* row) { colors.emplace_back(row[0], row[1], row[2]); });
 }
 
-uint64_t drop_short_strands(const std::string& path, StrandSet& strands, std::vector<float>& extra) {
+uint64_t drop_short_strands(const std::string& path, uint64_t counts_at, StrandSet& strands,
+                            std::vector<float>& extra) {
     std::vector<uint32_t> kept, first{0};
     const auto is_short = [&](size_t s) { return strands.first[s + 1] - strands.first[s] < 2; };
     uint64_t dropped = 0;
     for (size_t s = 0; s < strands.strands(); ++s) dropped += is_short(s);
-    if (dropped == strands.strands()) throw InputError(path, "no strands of two points or more");
+    if (dropped == strands.strands())
+        throw InputError(path + ": byte " + std::to_string(counts_at), "no strands of two points or more");
     if (dropped == 0) return 0;
     for (size_t s = 0; s < strands.strands(); ++s) {
         if (is_short(s)) continue;

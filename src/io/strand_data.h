@@ -24,8 +24,8 @@ void append_points(ByteReader& in, uint64_t count, int floats_each, StrandSet& s
 void append_colors(ByteReader& in, uint64_t count, int floats_each, std::vector<Rgb>& colors);
 
 /// Removes strands of fewer than two points, in all arrays and in `extra` (one a point, or empty); returns how many.
-/// Throws InputError where none is left.
-uint64_t drop_short_strands(const std::string& path, StrandSet& strands, std::vector<float>& extra);
+/// Throws InputError where none is left. `counts_at`: byte of the file that says how long strands are.
+uint64_t drop_short_strands(const std::string& path, uint64_t counts_at, StrandSet& strands, std::vector<float>& extra);
 
 /// Throws InputError where point indices would not fit into 32 bits.
 void check_point_count(const std::string& path, uint64_t points);

@@ -32,7 +32,7 @@ StrandData read_usc_data_file(const std::string& path) {
     }
     if (in.remaining() > 0) in.fail(std::to_string(in.remaining()) + " bytes after the last strand, expected none");
     std::vector<float> no_extra;
-    data.dropped_strands = drop_short_strands(path, strands, no_extra);
+    data.dropped_strands = drop_short_strands(path, kCountBytes, strands, no_extra);
     return data;
 }
 

@@ -48,7 +48,7 @@ HairPhotons make_hair_photons(const PhotonList& list, std::span<const uint32_t> 
         spread_points(segments, glm::clamp(kPointsAPhoton * rows.size(), kFewestPoints, kMostPoints));
     photons.area_points = make_point_tree(points.position);
     photons.area = points.area;
-    photons.radius = radius_bounds(photons.tree, options);
+    photons.radius = radius_bounds(photons.tree, options, largest_coordinate(photons.area_points));
     photons.nearest = size_t(options.nearest);
     return photons;
 }

@@ -112,6 +112,33 @@ std::vector<float> disc_radii(const PolygonPhotons& sources, const MeshPoints& p
     return of_source;
 }
 
+/// Shares of the discs of the largest radius; 0 for others.
+std::vector<float> own_shares(const PolygonPhotons& sources, std::span<const float> radius, const TriangleMesh& mesh,
+                              const KdTree& mesh_tree, Isa isa) {
+    std::vector<float> shares(sources.size(), 0);
+    tbb::enumerable_thread_specific<DiscCoverage> coverages;
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, sources.size(), kBatch), [&](const auto& range) {
+        std::vector<SurfacePoint> points;
+        std::vector<float> radii, share;
+        std::vector<size_t> rows;
+        for (size_t i = range.begin(); i < range.end(); ++i) {
+            if (radius[i] < sources.radius.largest || radius[i] <= sources.radius.least) continue;
+            points.push_back(surface_point(sources.tree.position(i), sources.normal[i]));
+            radii.push_back(radius[i]);
+            rows.push_back(i);
+        }
+        share.resize(rows.size());
+        coverages.local()(mesh_tree, mesh, isa, points, radii, share);
+        for (size_t k = 0; k < rows.size(); ++k) shares[rows[k]] = share[k];
+    });
+    return shares;
+}
+
+/// Largest coordinate of a box, without its sign.
+float farthest_of(const Bounds& box) {
+    return box.empty() ? 0 : glm::max(max_component(abs(box.lo)), max_component(abs(box.hi)));
+}
+
 /// What the sources must stand for: all the power.
 float power_of_all(const PhotonList& list, const Roles& roles) {
     double of_sources = 0, of_places = 0;
@@ -128,9 +155,11 @@ IrradianceMap make_irradiance_map(const PhotonList& list, const TriangleMesh& me
     const PhotonList merged = merge_photons(list, roles.sources);
     std::vector<uint32_t> all(merged.size());
     std::iota(all.begin(), all.end(), 0u);
-    const PolygonPhotons sources = make_polygon_photons(merged, all, options.photons);
+    const PolygonPhotons sources = make_polygon_photons(merged, all, options.photons, farthest_of(mesh_tree.bounds));
     const MeshPoints pilots = photon_places(list, roles.places);
-    const PointBalls discs = make_point_balls(sources.tree, disc_radii(sources, pilots));
+    const std::vector<float> radii = disc_radii(sources, pilots);
+    const PhotonDiscs discs{make_point_balls(sources.tree, radii),
+                            own_shares(sources, radii, mesh, mesh_tree, options.isa)};
     const MeshPoints even = even_places(mesh, size_t(kEvenShare * float(list.size())), sources);
 
     IrradianceMap map;

@@ -26,6 +26,8 @@ float radius_by_density(const PointTree& photons, size_t k) {
     return kRadiusFactor * *rank;
 }
 
+}  // namespace
+
 float largest_coordinate(const PointTree& points) {
     float largest = 0;
     for (const auto* floats : {&points.x, &points.y, &points.z})
@@ -33,12 +35,11 @@ float largest_coordinate(const PointTree& points) {
     return largest;
 }
 
-}  // namespace
-
-RadiusBounds radius_bounds(const PointTree& photons, const PhotonOptions& options) {
+RadiusBounds radius_bounds(const PointTree& photons, const PhotonOptions& options, float farthest) {
     if (photons.empty()) return {};
     constexpr float kLeastUlps = 64 * std::numeric_limits<float>::epsilon();
-    const float least = glm::max(kLeastUlps * largest_coordinate(photons), std::numeric_limits<float>::min());
+    constexpr float kLeast = 1e-18f;  // squares of it are floats
+    const float least = glm::max(kLeastUlps * glm::max(farthest, largest_coordinate(photons)), kLeast);
     const float largest = options.radius > 0 ? options.radius : radius_by_density(photons, size_t(options.nearest) + 1);
     return {least, glm::max(least, largest)};
 }

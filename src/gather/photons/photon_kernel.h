@@ -23,8 +23,18 @@ struct RadiusBounds {
     float largest = 0;
 };
 
-/// options.radius, or by the density of photons.
-RadiusBounds radius_bounds(const PointTree& photons, const PhotonOptions& options);
+/// options.radius, or by the density of photons. `farthest`: coordinate of what they lie on, from the scene's origin.
+RadiusBounds radius_bounds(const PointTree& photons, const PhotonOptions& options, float farthest);
+
+/// What a photon adds an area at this distance from it: the cone. Of the least radius, where photons lie in one heap
+/// and its peak would be read all over it, the mean.
+inline float weight_of_disc(float distance2, float radius, const RadiusBounds& bounds) {
+    if (radius > bounds.least) return cone(distance2, radius) / cone_integral(radius);
+    return distance2 < square(radius) ? 1 / (kPi * square(radius)) : 0;
+}
+
+/// Largest coordinate of any of the points, without its sign.
+float largest_coordinate(const PointTree& points);
 
 /// `found`: up to k of the nearest, as find_nearest gives them.
 inline float bandwidth(std::span<const NearPoint> found, size_t k, const RadiusBounds& bounds) {

@@ -4,7 +4,7 @@
 namespace tress {
 
 PolygonPhotons make_polygon_photons(const PhotonList& list, std::span<const uint32_t> rows,
-                                    const PhotonOptions& options) {
+                                    const PhotonOptions& options, float farthest) {
     std::vector<Vec3> position;
     position.reserve(rows.size());
     for (const uint32_t row : rows) position.push_back(list.position(row));
@@ -18,7 +18,7 @@ PolygonPhotons make_polygon_photons(const PhotonList& list, std::span<const uint
         photons.power.push_back(list.power[rows[id]]);
         photons.type.push_back(list.type[rows[id]]);
     }
-    photons.radius = radius_bounds(photons.tree, options);
+    photons.radius = radius_bounds(photons.tree, options, farthest);
     photons.nearest = size_t(options.nearest);
     return photons;
 }
@@ -40,9 +40,8 @@ void DiscSearch::operator()(const PolygonPhotons& photons, const SurfacePoint& a
 LightByType DiscSearch::irradiance(const PolygonPhotons& photons) const {
     LightByType sum{};
     for (const NearPoint& near : found_)
-        sum[photons.type[near.place]] += cone(near.distance2, radius_) * photons.power[near.place];
-    const float normalization = 1 / cone_integral(radius_);
-    for (Rgb& light : sum) light *= normalization;
+        sum[photons.type[near.place]] +=
+            weight_of_disc(near.distance2, radius_, photons.radius) * photons.power[near.place];
     return sum;
 }
 

@@ -21,9 +21,9 @@ struct PolygonPhotons {
     size_t size() const { return tree.size(); }
 };
 
-/// The given rows of `list`.
+/// The given rows of `list`. `farthest`: coordinate of the polygons, from the scene's origin; 0: of the photons.
 PolygonPhotons make_polygon_photons(const PhotonList& list, std::span<const uint32_t> rows,
-                                    const PhotonOptions& options);
+                                    const PhotonOptions& options, float farthest);
 size_t bytes(const PolygonPhotons& photons);
 
 /// Photons of the same surface about a point, with the radius of the disc that they fill.

@@ -16,7 +16,7 @@ std::vector<uint32_t> rows_of(const PhotonList& list, const TypeSet& types) {
 ShownPhotons make_shown_photons(const PhotonList& in_hair, const PhotonList& on_polygons, const TypeSet& shown,
                                 const SegmentView& segments, const PhotonOptions& options) {
     return {make_hair_photons(in_hair, rows_of(in_hair, shown), segments, options),
-            make_polygon_photons(on_polygons, rows_of(on_polygons, shown), options)};
+            make_polygon_photons(on_polygons, rows_of(on_polygons, shown), options, 0)};
 }
 
 size_t bytes(const ShownPhotons& photons) { return bytes(photons.hair) + bytes(photons.polygons); }

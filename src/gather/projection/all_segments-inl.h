@@ -58,8 +58,10 @@ HWY_INLINE void splat_segments(const SeenSegments& v, FloatVec squared, FloatMas
     const FloatVec inverse = inverse_sqrt(squared), inverse_squared = inverse * inverse;
     const FloatVec along = dot3(v.x, v.y, v.z, v.ux, v.uy, v.uz);
     const FloatVec cosine = along * inverse;
-    const FloatVec sine_squared = hn::Max(one - cosine * cosine, set(1e-12f));
-    const FloatVec sine_alpha = sine_squared * inverse_sqrt(sine_squared);
+    // By the cross product: 1 - cosine^2 has no digits left where they are nearly parallel.
+    const FloatVec cx = v.y * v.uz - v.z * v.uy, cy = v.z * v.ux - v.x * v.uz, cz = v.x * v.uy - v.y * v.ux;
+    const FloatVec sine_squared = hn::Min(dot3(cx, cy, cz, cx, cy, cz) * inverse_squared, one);
+    const FloatVec sine_alpha = hn::Sqrt(sine_squared);
     const FloatVec in_distances = v.length * v.length * inverse_squared;
     const FloatVec higher = one + set(0.125f) * in_distances * (set(5.0f) * cosine * cosine - one);
     const FloatVec solid = set(2.0f) * v.radius * v.length * sine_alpha * inverse_squared * higher;
@@ -143,7 +145,7 @@ inline void add_piece(const ProjectedSegments& s, const Viewpoint& from, size_t 
                       PieceList& to) {
     const Vec3 middle = Vec3(s.x[i], s.y[i], s.z[i]) - from.position;
     const Vec3 half = 0.5f * s.length[i] * Vec3(s.ux[i], s.uy[i], s.uz[i]);
-    to.add(middle - half, middle + half, s.radius[i] - s.taper[i], s.radius[i] + s.taper[i], kind, segment);
+    to.add(middle - half, middle + half, s.radius[i] - s.taper[i], s.radius[i] + s.taper[i], 0, kind, segment);
 }
 
 /// Splats for kMostLanes rows of `s` from `first` on: as many at once whatever the vectors hold, so that sums are the

@@ -22,6 +22,8 @@ inline constexpr float kArcStep = 0.5f;      // of a cell's size, along an arc
 inline constexpr float kWideShare = 0.45f;   // of a cell's size: wider pieces are drawn cell by cell
 inline constexpr float kMostArcSteps = 512;  // in half a turn, however small the cells
 
+inline constexpr float kThrough = 2e-5f;  // of its distance: what passes nearer to the point goes through it
+
 /// Signed inclination of the vector with components `across` >= 0 and `along`.
 HWY_INLINE FloatVec inclination(FloatVec across, FloatVec along) {
     const FloatVec turn = turn_of(across, along);
@@ -41,9 +43,13 @@ inline void make_arcs(const PieceList& p, float cell_size, Arcs& arcs) {
         const FloatVec along = dot3(ax, ay, az, ux, uy, uz);
         const FloatVec fx = ax - along * ux, fy = ay - along * uy, fz = az - along * uz;
         const FloatVec squared = dot3(fx, fy, fz, fx, fy, fz);
-        const FloatVec foot = hn::Sqrt(hn::Max(squared, tiny));
-        // Across an axis that passes through the point: any perpendicular, by the axis' smaller components.
-        const FloatMask through = squared <= set(4e-12f) * dot3(ax, ay, az, ax, ay, az) + tiny;
+        // An axis that passes through the point, but for the rounding of places in leaves: seen end on it covers
+        // nothing. What is across it is any perpendicular, by the axis' smaller components.
+        const FloatVec rounding = hn::Load(d, &p.rounding[i]) * set(2.0f) * (one + set(2.0f) * hn::Abs(along) / length);
+        const FloatVec nearest =
+            hn::Max(rounding * rounding, set(kThrough * kThrough) * dot3(ax, ay, az, ax, ay, az) + tiny);
+        const FloatMask through = squared <= nearest;
+        const FloatVec foot = hn::Sqrt(hn::IfThenElse(through, tiny, squared));
         const FloatMask flat = hn::Abs(uz) < set(0.7f);
         const FloatVec gx = hn::IfThenElse(flat, uy, uz), gy = hn::IfThenElse(flat, hn::Neg(ux), hn::Zero(d));
         const FloatVec gz = hn::IfThenElse(flat, hn::Zero(d), hn::Neg(ux));
@@ -74,13 +80,16 @@ HWY_INLINE void draw_arc(const ArcRow& arc, Splats& to) {
     const Floats d;
     const Ints di;
     const FloatVec zero = hn::Zero(d), one = set(1.0f), solid = set(arc.solid);
+    const FloatVec second_order = set(arc.width * arc.width / 24);
     for (size_t i = 0; i < arc.steps; i += hn::Lanes(d)) {
         const FloatVec place = hn::Iota(d, float(i)) + set(0.5f);
         const FloatVec psi = hn::Clamp(set(arc.psi) + place * set(arc.step), set(-kPi / 2), set(kPi / 2));
         const FloatVec sin_psi = sine(psi);
         const FloatVec cos_squared = hn::Max(one - sin_psi * sin_psi, set(1e-12f));
         const FloatVec inverse_cos = inverse_sqrt(cos_squared), cos_psi = cos_squared * inverse_cos;
-        FloatVec covered = solid * cos_psi;
+        // The ends of a wide lune lie nearer at its edges: sin psi grows by cos^2 psi width^2 / 24 on average.
+        const FloatVec at_edges = one + second_order * (set(3.0f) * cos_squared - set(2.0f));
+        FloatVec covered = solid * cos_psi * at_edges;
         if (arc.taper != 0) {
             const FloatVec s = hn::Clamp(set(arc.foot) * sin_psi * inverse_cos - set(arc.along), zero, set(arc.length));
             const FloatVec in_means = one + set(arc.taper) * (s - set(0.5f * arc.length));

@@ -57,6 +57,7 @@ struct Viewpoint {
 /// What projection does not see from a point: its own fiber, by identity (segments [first, last]; none: first > last).
 struct Unseen {
     uint32_t first = 1, last = 0;
+    Bounds box;  // of them
 
     bool holds(uint32_t segment, uint32_t count = 1) const { return segment + count > first && segment <= last; }
 };

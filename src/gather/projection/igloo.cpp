@@ -65,14 +65,35 @@ void find_neighbors(Igloo& igloo) {
     }
 }
 
+/// A direction of a cell of the upper hemisphere, such that those of a row are mirror images at the plane y = 0 to the
+/// bit: a mirrored scene gives mirrored cells. `u`: of a cell that the plane does not cut; `halved`: of one that it
+/// cuts in two, whose halves are mirror images.
+Vec3 mirrored_direction(const Igloo& igloo, uint32_t cell, const Vec2& u, const Vec2& halved, bool second_half) {
+    const Place at = place_of(igloo, cell);
+    const uint32_t mirrored = at.count - 1 - at.column;
+    const Vec3 w = at.column < mirrored   ? direction_in(igloo, cell, u)
+                   : at.column > mirrored ? direction_in(igloo, cell - at.column + mirrored, u)
+                                          : direction_in(igloo, cell, halved);
+    const bool flip = at.column > mirrored || (at.column == mirrored && second_half);
+    return {w.x, flip ? -w.y : w.y, w.z};
+}
+
 void find_centers(Igloo& igloo) {
     for (auto* row : {&igloo.center_x, &igloo.center_y, &igloo.center_z})
         row->assign(2 * size_t(igloo.cells) + Igloo::kPadding, 0);
-    for (uint32_t cell = 0; cell < 2 * igloo.cells; ++cell) {
-        const Vec3 center = direction_in(igloo, cell, Vec2(0.5f));
-        igloo.center_x[cell] = center.x, igloo.center_y[cell] = center.y, igloo.center_z[cell] = center.z;
+    for (uint32_t cell = 0; cell < igloo.cells; ++cell) {
+        const Place at = place_of(igloo, cell);
+        Vec3 center = mirrored_direction(igloo, cell, Vec2(0.5f), Vec2(0.5f), false);
+        if (2 * at.column + 1 == at.count) center.y = 0;  // but for rounding
+        for (const float up : {1.0f, -1.0f}) {
+            const size_t i = up > 0 ? cell : cell + igloo.cells;
+            igloo.center_x[i] = center.x, igloo.center_y[i] = center.y, igloo.center_z[i] = up * center.z;
+        }
     }
 }
+
+/// Of the samples of half a cell that the mirror's plane halves: eight places across, each at a height of its own.
+constexpr int kHeights[8] = {0, 4, 2, 6, 1, 5, 3, 7};
 
 void find_samples(Igloo& igloo) {
     for (auto* row : {&igloo.sample_x, &igloo.sample_y, &igloo.sample_z}) row->clear();
@@ -82,7 +103,9 @@ void find_samples(Igloo& igloo) {
         for (int i = 0; i < 4; ++i)
             for (int j = 0; j < 4; ++j) {
                 const Vec2 u((float(4 * i + j) + 0.5f) / 16, (float(4 * j + i) + 0.5f) / 16);
-                const Vec3 sample = direction_in(igloo, cell, u);
+                const int pair = 2 * i + j % 2;
+                const Vec2 halved((float(kHeights[pair]) + 0.5f) / 8, (float(pair) + 0.5f) / 16);
+                const Vec3 sample = mirrored_direction(igloo, cell, u, halved, j >= 2);
                 igloo.sample_x.push_back(sample.x), igloo.sample_y.push_back(sample.y);
                 igloo.sample_z.push_back(sample.z);
             }

@@ -17,9 +17,9 @@ Rgb LightThroughCells::operator()(const PreparedScene& prepared, const ShadingPo
         from.sight = std::span(sight_).first(hair.igloo.cells_of(from.dome));
     }
     if (shared)
-        project_near(hair, from, unseen_from(point), probe->far, isa, scratch_, cells_);
+        project_near(hair, from, unseen_from(point, prepared.segments), probe->far, isa, scratch_, cells_);
     else
-        project(hair, prepared.segments, from, unseen_from(point), isa, scratch_, cells_);
+        project(hair, prepared.segments, from, unseen_from(point, prepared.segments), isa, scratch_, cells_);
     Rgb sum(0);
     for (const SeenLight& light : seen) {
         const uint32_t cell = cell_of(hair.igloo, from.frame.to_local(light.direction));

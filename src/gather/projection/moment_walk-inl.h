@@ -36,27 +36,35 @@ struct SeenCubes {
     uint32_t taken, opened;  // bits
 };
 
-/// Opened are cubes nearer than `reach`, and those that have hair within `own_reach`.
-HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, float own_reach, float splats_at_reach,
+/// A point's own fiber, told apart in leaves alone: cubes that its box meets are opened, and those with hair as near as
+/// `reach`, next to which moments are too coarse. Without a fiber, none is met.
+struct OwnBox {
+    Vec3 middle{0}, half{-std::numeric_limits<float>::infinity()};  // relative to the point
+    float reach = 0;
+};
+
+/// Opened are cubes nearer than `reach`, and those that `own` says.
+HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, const OwnBox& own, float splats_at_reach,
                         SeenCubes& seen) {
     const CubeFloats d;
     const CubeInts di;
     const CubeVec zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const CubeVec tiny = hn::Set(d, std::numeric_limits<float>::min());
     seen.taken = seen.opened = 0;
     for (size_t i = 0; i < 8; i += hn::Lanes(d)) {
         const CubeVec x = hn::Load(d, b.x + i) - hn::Set(d, from.x), y = hn::Load(d, b.y + i) - hn::Set(d, from.y),
                       z = hn::Load(d, b.z + i) - hn::Set(d, from.z);
-        const CubeVec squared = hn::Max(x * x + y * y + z * z, hn::Set(d, 1e-30f));
-        const CubeVec inverse = inverse_sqrt(d, squared), inverse_squared = inverse * inverse;
+        const CubeVec squared = hn::Max(x * x + y * y + z * z, tiny);
+        const CubeVec inverse_squared = one / squared;
         const CubeVec xx = hn::Load(d, b.xx + i), yy = hn::Load(d, b.yy + i), zz = hn::Load(d, b.zz + i);
         const CubeVec area = xx + yy + zz;
         const CubeVec mixed =
             x * y * hn::Load(d, b.xy + i) + x * z * hn::Load(d, b.xz + i) + y * z * hn::Load(d, b.yz + i);
         const CubeVec along = (x * x * xx + y * y * yy + z * z * zz + hn::Set(d, 2.0f) * mixed) * inverse_squared;
-        const CubeVec across = hn::Max(area - along, area * hn::Set(d, 1e-10f));
-        const CubeVec product = hn::Max(area * across, hn::Set(d, 1e-30f));
-        const CubeVec projected = product * inverse_sqrt(d, product);
-        const CubeVec sine = projected / hn::Max(area, hn::Set(d, 1e-30f));
+        const CubeVec difference = area - along;  // rounded by some 1e-7 of the area: what is seen end on has none
+        const CubeVec across = hn::IfThenElseZero(difference > area * hn::Set(d, 1e-6f), difference);
+        const CubeVec sine = hn::Sqrt(across / hn::Max(area, tiny));
+        const CubeVec projected = area * sine;
         hn::Store(x, d, seen.x + i), hn::Store(y, d, seen.y + i), hn::Store(z, d, seen.z + i);
         hn::Store(projected * inverse_squared, d, seen.solid_angle + i);
         const CubeVec share = hn::Set(d, splats_at_reach * reach * reach) * inverse_squared;
@@ -67,11 +75,18 @@ HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, flo
                   seen.opacity_row + i);
         uint8_t hair[8] = {}, near[8] = {};
         hn::StoreMaskBits(d, area > zero, hair);
-        const CubeVec off_x = hn::Max(hn::Abs(x) - hn::Load(d, b.hx + i), zero),
-                      off_y = hn::Max(hn::Abs(y) - hn::Load(d, b.hy + i), zero),
-                      off_z = hn::Max(hn::Abs(z) - hn::Load(d, b.hz + i), zero);
-        const auto own = off_x * off_x + off_y * off_y + off_z * off_z < hn::Set(d, own_reach * own_reach);
-        hn::StoreMaskBits(d, hn::Or(own, squared < hn::Set(d, reach * reach)), near);
+        const auto meets = [&](const CubeVec& v, const float* half, float own_middle, float own_half) {
+            return hn::Abs(v - hn::Set(d, own_middle)) <= hn::Load(d, half + i) + hn::Set(d, own_half);
+        };
+        const auto off = [&](const CubeVec& v, const float* half) {
+            return hn::Max(hn::Abs(v) - hn::Load(d, half + i), zero);
+        };
+        const CubeVec off_x = off(x, b.hx), off_y = off(y, b.hy), off_z = off(z, b.hz);
+        const auto beside = off_x * off_x + off_y * off_y + off_z * off_z < hn::Set(d, own.reach * own.reach);
+        const auto has_own =
+            hn::And(meets(x, b.hx, own.middle.x, own.half.x),
+                    hn::And(meets(y, b.hy, own.middle.y, own.half.y), meets(z, b.hz, own.middle.z, own.half.z)));
+        hn::StoreMaskBits(d, hn::Or(hn::Or(has_own, beside), squared < hn::Set(d, reach * reach)), near);
         seen.taken |= uint32_t(hair[0] & ~near[0]) << i;
         seen.opened |= uint32_t(hair[0] & near[0]) << i;
     }
@@ -135,7 +150,7 @@ void draw_leaf(const ProjectionInput& in, const Viewpoint& from, const Unseen& u
             if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
             scratch.pieces.add(s > 0 ? offset + glm::mix(a, b, s) : offset + a,
                                t < 1 ? offset + glm::mix(a, b, t) : offset + b, glm::mix(start, end, s),
-                               glm::mix(start, end, t), in.opacity.kind_of(p.segment[i]), p.segment[i]);
+                               glm::mix(start, end, t), scale, in.opacity.kind_of(p.segment[i]), p.segment[i]);
         };
         if constexpr (kKept == Kept::whole) {
             add(0, 1);
@@ -162,8 +177,9 @@ public:
         const float widest = std::min(in.opening * in.igloo.cell_size(), kWidestCube);
         per_half_ = 1 / widest;
         splats_at_reach_ = in.sub_splats * square(widest / in.igloo.cell_size());
-        // A point's own fiber is told apart in leaves alone.
-        own_reach_ = unseen.first <= unseen.last ? (kOwnStrandRadii + 1) * in.tree.largest_radius : 0;
+        if (unseen.first <= unseen.last)
+            own_ = {unseen.box.center() - from.position, 0.5f * unseen.box.extent() + Vec3(in.tree.largest_radius),
+                    (kOwnStrandRadii + 1) * in.tree.largest_radius};
     }
 
     /// All hair.
@@ -228,7 +244,7 @@ private:
         while (entries_ > 0) {
             const MomentCube cube = stack_[--entries_];
             const MomentBlock& block = in_.tree.blocks[size_t(cube.child)];
-            look_at(block, at_, cube.half * per_half_, own_reach_, splats_at_reach_, seen);
+            look_at(block, at_, cube.half * per_half_, own_, splats_at_reach_, seen);
             split(cube, seen);
             for (uint32_t bits = seen.taken; bits != 0; bits &= bits - 1) {
                 const size_t o = size_t(std::countr_zero(bits));
@@ -257,7 +273,8 @@ private:
     CellDepths<Depth>& to_;
     Vec3 at_;
     float per_half_;  // distance at which a cube is taken whose parent is of half side 1
-    float splats_at_reach_, own_reach_;
+    float splats_at_reach_;
+    OwnBox own_;
     static constexpr size_t kDeepest = 24;  // of the tree (kMostDepth of moment_tree.cpp), and some
     MomentCube stack_[8 * kNearCubes * kNearCubes * kNearCubes + 8 * kDeepest];
     size_t entries_ = 0;

@@ -30,7 +30,7 @@ ProjectedSegments simplify_hair(const SegmentView& s, const ProjectionOptions& o
     const uint32_t stride = uint32_t(options.stride);
     for (uint32_t first = 0; first < s.size();) {
         uint32_t end = first + 1;
-        while (end < s.size() && s.point[end] == s.point[end - 1] + 1) ++end;
+        while (end < s.size() && joined(s, end - 1, end)) ++end;
         const bool kept = random(kKey, first) < options.share;
         for (uint32_t i = first; kept && i < end; i += stride) {
             const uint32_t last = std::min(i + stride, end) - 1;

@@ -15,6 +15,7 @@ struct StrandLayers {
     std::vector<uint32_t> first;  // segment of each strand, and one past the last
     std::vector<Vec3> root;       // one a strand
     std::vector<float> phase;     // one a strand, [0, 1)
+    std::vector<float> shift;     // likewise: of the layers' edges
 };
 
 StrandLayers make_strand_layers(const SegmentView& segments);

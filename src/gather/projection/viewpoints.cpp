@@ -25,4 +25,10 @@ Viewpoint viewpoint_of(const ShadingPoint& point, uint64_t key) {
     return {point.position, turned_at_random(key), Dome::sphere, {}};
 }
 
+Unseen unseen_from(const ShadingPoint& point, const SegmentView& segments) {
+    const SegmentRange own = point.excluded.segments;
+    if (own.first > own.last) return {};
+    return {own.first, own.last, bounds(segments, own)};
+}
+
 }  // namespace tress

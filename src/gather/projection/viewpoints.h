@@ -15,8 +15,6 @@ Frame turned_at_random(uint64_t key);
 Viewpoint viewpoint_of(const ShadingPoint& point, uint64_t key);
 
 /// The fiber's own segments.
-inline Unseen unseen_from(const ShadingPoint& point) {
-    return {point.excluded.segments.first, point.excluded.segments.last};
-}
+Unseen unseen_from(const ShadingPoint& point, const SegmentView& segments);
 
 }  // namespace tress

@@ -142,10 +142,11 @@ HWY_INLINE size_t samples_met(const Igloo& igloo, size_t cell, const WidePiece& 
 }
 
 /// Share of a cell that a sample stands for: all those met cover the piece's solid angle, but for one so wide that
-/// samples say it better than three angles about its axis.
+/// samples say it better than three angles about its axis. With none met, the piece is smaller than what a sample
+/// stands for, and this is its own share.
 inline float share_of_sample(const Igloo& igloo, const WidePiece& piece, size_t samples) {
-    if (piece.widest > 0.7f * piece.foot) return 1.0f / Igloo::kSamples;
-    return solid_angle(piece) / (igloo.solid_angle() * float(samples));
+    if (samples > 0 && piece.widest > 0.7f * piece.foot) return 1.0f / Igloo::kSamples;
+    return solid_angle(piece) / (igloo.solid_angle() * float(std::max<size_t>(samples, 1)));
 }
 
 /// Adds what the piece stops to the sums of its fiber.
@@ -160,10 +161,9 @@ inline void cover(const Igloo& igloo, const Viewpoint& from, const HairOpacity& 
         samples += met;
         if (met > 0 && cell < cells) to.covered.push_back({uint32_t(cell), uint32_t(met)});
     });
-    if (samples == 0) {  // smaller than what a sample stands for
+    if (samples == 0) {
         const uint32_t cell = cell_of(igloo, middle_of(piece));
         if (cell < cells) to.covered.push_back({cell, 1});
-        samples = 1;
     }
     const float share = share_of_sample(igloo, piece, samples);
     for (const auto& [cell, met] : to.covered) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gather/shadow_maps/ribbon.h"
 
+#include <limits>
 #include <utility>
 
 namespace tress {
@@ -61,6 +62,14 @@ void set_half_widths(const LightView& view, Ribbon& r) {
     for (int k = 0; k < 2; ++k) r.half_width[k] = r.radius[k] * scale / (view.parallel ? 1 : r.z[k]);
 }
 
+/// Half width of a flat ribbon through the axis, `away` from the light, that stops the rays which pass within `radius`
+/// of the axis: they make an angle of at most asin(radius / away) with it.
+double seen_radius(double radius, double away) {
+    constexpr double kWidestSine = 0.9;
+    const double sine = std::min(radius / away, kWidestSine);
+    return radius / std::sqrt(1 - sine * sine);
+}
+
 }  // namespace
 
 std::optional<Ribbon> make_ribbon(const LightView& view, const SegmentView& segments, uint32_t segment) {
@@ -118,9 +127,11 @@ RibbonOutline outline(const LightView& view, const Ribbon& r) {
         }
         return o;
     }
-    const DVec3 across = normalize(cross(r.end[1] - r.end[0], view.parallel ? light : middle));
+    const DVec3 axis = normalize(r.end[1] - r.end[0]);
+    const DVec3 across = normalize(cross(axis, view.parallel ? light : middle));
+    const double away = view.parallel ? std::numeric_limits<double>::infinity() : length(cross(r.end[0], axis));
     const auto add = [&](int k, double side) {
-        o.corner[size_t(o.corners++)] = texels(view, r.end[k] + side * r.radius[k] * across);
+        o.corner[size_t(o.corners++)] = texels(view, r.end[k] + side * seen_radius(r.radius[k], away) * across);
     };
     add(0, -1), add(1, -1), add(1, 1), add(0, 1);
     return o;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options that, one set after the other, use every method there is for each type of light.
+// Options that, one set after the other, use the methods that there are for each type of light.
 #pragma once
 
 #include <vector>
@@ -27,34 +27,45 @@ inline Options small_effort(Isa isa) {
     return options;
 }
 
-inline MethodSet projected(const char* name, ProjectionDetail detail, const Options& by) {
-    MethodSet set{name, by};
-    set.options.type2 = GatherMethod::projection;
-    set.options.projection.detail = detail;
-    return set;
+/// Types 1 to 3 by rays.
+inline Options by_rays(Isa isa) {
+    Options options;
+    options.isa = isa;
+    options.spp = 16;
+    options.photons.count = 20'000;
+    return options;
+}
+
+inline Options by_maps(Options options, LampMethod lamps, CrossingMethod crossings) {
+    options.type1 = lamps;
+    options.type3 = crossings;
+    return options;
+}
+
+inline Options by_projection(Options options, ProjectionDetail detail) {
+    options.type2 = GatherMethod::projection;
+    options.projection.detail = detail;
+    return options;
 }
 
 inline std::vector<MethodSet> method_sets(Isa isa) {
-    Options effort = small_effort(isa);
-    std::vector<MethodSet> sets{{"paths", effort}, {"paths, full scattering", effort}};
-    for (MethodSet& set : sets) use_paths(set.options);
-    sets[1].options.scattering = ScatteringModel::full;
+    const Options effort = small_effort(isa);
+    Options paths = effort, full = effort, rays = effort;
+    use_paths(paths);
+    use_paths(full);
+    full.scattering = ScatteringModel::full;
+    rays.type4 = rays.type5 = ScatteredMethod::photons;
 
-    effort.type4 = effort.type5 = ScatteredMethod::photons;
-    sets.push_back({"rays and photons", effort});
-    effort.type1 = LampMethod::deep;
-    effort.type3 = CrossingMethod::ray_deep;
-    sets.push_back(projected("deep maps, all hair projected", ProjectionDetail::all, effort));
-    effort.type1 = LampMethod::opacity;
-    effort.type3 = CrossingMethod::ray_opacity;
-    sets.push_back(projected("opacity maps, a tree projected", ProjectionDetail::tree, effort));
-    sets.back().options.projection.far_field = FarField::on;
-    effort.type1 = LampMethod::clusters;
-    effort.type3 = CrossingMethod::ray_clusters;
-    sets.push_back(projected("clusters, layers projected", ProjectionDetail::layers, effort));
-    effort.type4 = effort.type5 = ScatteredMethod::off;
-    sets.push_back(projected("simplified hair projected", ProjectionDetail::simplified, effort));
-    return sets;
+    Options clusters = by_maps(rays, LampMethod::clusters, CrossingMethod::ray_clusters);
+    clusters.type4 = clusters.type5 = ScatteredMethod::path;
+    Options deep = by_projection(by_maps(rays, LampMethod::deep, CrossingMethod::ray_deep), ProjectionDetail::all);
+    deep.projection.gap = 1;
+    Options opacity =
+        by_projection(by_maps(rays, LampMethod::opacity, CrossingMethod::ray_opacity), ProjectionDetail::tree);
+    opacity.projection.far_field = FarField::on;
+    return {
+        {"paths", paths},       {"paths, full scattering", full},        {"rays and photons", rays},
+        {"clusters", clusters}, {"deep maps, all hair projected", deep}, {"opacity maps, a tree projected", opacity}};
 }
 
 }  // namespace tress::test

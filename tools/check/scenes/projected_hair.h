@@ -83,16 +83,21 @@ inline StrandSet random_hair(int count, float length, float radius, uint64_t see
 
 inline constexpr Frame kUpright = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-inline Frame random_frame(uint64_t key) {
-    const Frame f = frame_about(sample_uniform_sphere({random(key, 0), random(key, 1)}));
-    const float angle = 2 * kPi * random(key, 2), c = std::cos(angle), s = std::sin(angle);
+/// By an angle about its z: a hemisphere stays the same one.
+inline Frame turned_about_z(const Frame& f, float angle) {
+    const float c = std::cos(angle), s = std::sin(angle);
     return {c * f.x + s * f.y, c * f.y - s * f.x, f.z};
+}
+
+inline Frame random_frame(uint64_t key) {
+    return turned_about_z(frame_about(sample_uniform_sphere({random(key, 0), random(key, 1)})),
+                          2 * kPi * random(key, 2));
 }
 
 /// What a point on a segment does not see: its own fiber.
 inline Unseen unseen_on(const SegmentView& hair, uint32_t segment) {
     const SegmentRange range = own_strand(hair, segment);
-    return {range.first, range.last};
+    return {range.first, range.last, bounds(hair, range)};
 }
 
 inline std::vector<Rgb> cells_of(const CellLight& light) {

@@ -24,6 +24,7 @@ constexpr DefaultSweep kAll[] = {
     {"", "accel.split=exact,spatial_median,object_median"},
     {"", "accel.clip=false"},
     {"", "accel.failed_splits=2,4"},
+    {"", "accel.references=2,3,4,8,16"},
     {"accel.automatic=false", "accel.leaf_size=1,4,16,64"},
     {"accel.split=spatial_median accel.automatic=false", "accel.leaf_size=4,16"},
     {"accel.split=object_median accel.automatic=false", "accel.leaf_size=4,16"},
