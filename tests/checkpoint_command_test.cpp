@@ -120,6 +120,7 @@ TEST_CASE("a full disk is said once, the render goes on, and the last checkpoint
     first.send(SIGKILL);
     first.wait();
     const std::string before = read_bytes(checkpoint);
+    const size_t entries = folder.entries();  // the kill may have left a part of a file, named so
     const CommandResult r = [&] {
         const FullDisk full(10000);
         return run_tress(render(folder, {"--spp", "4096", "--resume", "--checkpoint", "0.001", "--time", "0.5"}));
@@ -130,7 +131,7 @@ TEST_CASE("a full disk is said once, the render goes on, and the last checkpoint
     CHECK(r.error.find("a.checkpoint: cannot be written") != std::string::npos);
     CHECK(r.error.find("a.exr") != std::string::npos);
     CHECK(read_bytes(checkpoint) == before);
-    CHECK(folder.entries() == 1);  // no part of a file
+    CHECK(folder.entries() == entries);
 }
 
 TEST_CASE("a folder that vanishes is said in one line") {
