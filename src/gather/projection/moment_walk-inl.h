@@ -23,6 +23,9 @@ namespace HWY_NAMESPACE {
 /// them, light changes where no hair does, and cubes show in the picture.
 inline constexpr float kWidestCube = 0.8f;
 
+/// Fibers straight through a cube below which a point's own may be much of its hair.
+inline constexpr float kLittleHair = 2;
+
 using CubeFloats = hn::CappedTag<float, 8>;
 using CubeInts = hn::RebindToSigned<CubeFloats>;
 using CubeVec = hn::Vec<CubeFloats>;
@@ -36,16 +39,17 @@ struct SeenCubes {
     uint32_t taken, opened;  // bits
 };
 
-/// A point's own fiber, told apart in leaves alone: cubes that its box meets are opened, and those with hair as near as
-/// `reach`, next to which moments are too coarse. Without a fiber, none is met.
-struct OwnBox {
-    Vec3 middle{0}, half{-std::numeric_limits<float>::infinity()};  // relative to the point
+/// A point's own fiber, told apart in leaves alone. Opened for it are cubes with hair as near as `reach`, and cubes
+/// that its box meets and that have so little hair that it may be much of it. Without a fiber, none is met.
+struct OwnFiber {
+    Vec3 middle{0}, half{-std::numeric_limits<float>::infinity()};  // of its box, relative to the point
     float reach = 0;
+    float little = 0;  // area of hair, of a cube with sides of 1
 };
 
-/// Opened are cubes nearer than `reach`, and those that `own` says.
-HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, const OwnBox& own, float splats_at_reach,
-                        SeenCubes& seen) {
+/// Opened are cubes nearer than `reach`, and those that `own` says. `side`: of the cubes.
+HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, const OwnFiber& own, float side,
+                        float splats_at_reach, SeenCubes& seen) {
     const CubeFloats d;
     const CubeInts di;
     const CubeVec zero = hn::Zero(d), one = hn::Set(d, 1.0f);
@@ -81,12 +85,14 @@ HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, con
         const auto off = [&](const CubeVec& v, const float* half) {
             return hn::Max(hn::Abs(v) - hn::Load(d, half + i), zero);
         };
+        const auto few = area < hn::Set(d, own.little * side);
         const CubeVec off_x = off(x, b.hx), off_y = off(y, b.hy), off_z = off(z, b.hz);
         const auto beside = off_x * off_x + off_y * off_y + off_z * off_z < hn::Set(d, own.reach * own.reach);
-        const auto has_own =
+        const auto meets_box =
             hn::And(meets(x, b.hx, own.middle.x, own.half.x),
                     hn::And(meets(y, b.hy, own.middle.y, own.half.y), meets(z, b.hz, own.middle.z, own.half.z)));
-        hn::StoreMaskBits(d, hn::Or(hn::Or(has_own, beside), squared < hn::Set(d, reach * reach)), near);
+        hn::StoreMaskBits(d, hn::Or(hn::Or(hn::And(meets_box, few), beside), squared < hn::Set(d, reach * reach)),
+                          near);
         seen.taken |= uint32_t(hair[0] & ~near[0]) << i;
         seen.opened |= uint32_t(hair[0] & near[0]) << i;
     }
@@ -179,7 +185,7 @@ public:
         splats_at_reach_ = in.sub_splats * square(widest / in.igloo.cell_size());
         if (unseen.first <= unseen.last)
             own_ = {unseen.box.center() - from.position, 0.5f * unseen.box.extent() + Vec3(in.tree.largest_radius),
-                    (kOwnStrandRadii + 1) * in.tree.largest_radius};
+                    (kOwnStrandRadii + 1) * in.tree.largest_radius, kLittleHair * 2 * in.tree.largest_radius};
     }
 
     /// All hair.
@@ -244,7 +250,7 @@ private:
         while (entries_ > 0) {
             const MomentCube cube = stack_[--entries_];
             const MomentBlock& block = in_.tree.blocks[size_t(cube.child)];
-            look_at(block, at_, cube.half * per_half_, own_, splats_at_reach_, seen);
+            look_at(block, at_, cube.half * per_half_, own_, cube.half, splats_at_reach_, seen);
             split(cube, seen);
             for (uint32_t bits = seen.taken; bits != 0; bits &= bits - 1) {
                 const size_t o = size_t(std::countr_zero(bits));
@@ -274,7 +280,7 @@ private:
     Vec3 at_;
     float per_half_;  // distance at which a cube is taken whose parent is of half side 1
     float splats_at_reach_;
-    OwnBox own_;
+    OwnFiber own_;
     static constexpr size_t kDeepest = 24;  // of the tree (kMostDepth of moment_tree.cpp), and some
     MomentCube stack_[8 * kNearCubes * kNearCubes * kNearCubes + 8 * kDeepest];
     size_t entries_ = 0;
