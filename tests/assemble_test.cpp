@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "core/forward_albedo.h"
-#include "tools/check/scenes/fiber_quadrature.h"
+#include "tools/check/support/fiber_quadrature.h"
 
 using namespace tress;
 

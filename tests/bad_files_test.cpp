@@ -13,7 +13,7 @@
 #include "io/scene_file.h"
 #include "io/strand_file.h"
 #include "tests/io_support.h"
-#include "tools/check/scenes/damaged_bytes.h"
+#include "tools/check/support/damaged_bytes.h"
 
 namespace {
 

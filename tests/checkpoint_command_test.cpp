@@ -9,7 +9,7 @@
 #include "core/rng.h"
 #include "io/exr_file.h"
 #include "tests/run_command.h"
-#include "tools/check/scenes/full_disk.h"
+#include "tools/check/support/full_disk.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -7,7 +7,7 @@
 
 #include "core/rng.h"
 #include "gather/connection.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "tools/check/scenes/step_functions.h"
+#include "tools/check/support/step_functions.h"
 
 using namespace tress;
 

@@ -2,7 +2,7 @@
 // Sharp lobes leave where a ray traced through a glass cylinder does.
 #include <doctest/doctest.h>
 
-#include "tools/check/scenes/fiber_quadrature.h"
+#include "tools/check/support/fiber_quadrature.h"
 
 using namespace tress;
 

@@ -4,7 +4,7 @@
 
 #include "core/depressed_cubic.h"
 #include "core/fresnel.h"
-#include "tools/check/scenes/fiber_quadrature.h"
+#include "tools/check/support/fiber_quadrature.h"
 
 using namespace tress;
 

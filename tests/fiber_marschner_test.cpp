@@ -6,7 +6,7 @@
 
 #include "core/fresnel.h"
 #include "core/marschner_azimuthal.h"
-#include "tools/check/scenes/fiber_quadrature.h"
+#include "tools/check/support/fiber_quadrature.h"
 
 using namespace tress;
 

@@ -2,7 +2,7 @@
 // A fiber asked for f_R alone: what is left when light that goes straight through is another's.
 #include <doctest/doctest.h>
 
-#include "tools/check/scenes/fiber_quadrature.h"
+#include "tools/check/support/fiber_quadrature.h"
 
 using namespace tress;
 

@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tools/check/scenes/fiber_extremes.h"
-#include "tools/check/scenes/fiber_reciprocity.h"
+#include "tools/check/support/fiber_extremes.h"
+#include "tools/check/support/fiber_reciprocity.h"
 
 using namespace tress;
 

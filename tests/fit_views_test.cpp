@@ -9,7 +9,7 @@
 
 #include "core/hair_points.h"
 #include "core/rng.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/tufts.h"
 
 using namespace tress;
 using namespace tress::test;

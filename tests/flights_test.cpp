@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "accel/build.h"
-#include "tools/check/scenes/tree_scenes.h"
+#include "tools/check/support/tree_scenes.h"
 
 using namespace tress;
 using namespace tress::scenes;

@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tools/check/scenes/fiber_quadrature.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/fiber_quadrature.h"
+#include "tools/check/support/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -9,7 +9,7 @@
 #include "core/segments.h"
 #include "io/strand_file.h"
 #include "tests/io_support.h"
-#include "tools/check/scenes/raw_hair.h"
+#include "tools/check/support/raw_hair.h"
 
 using namespace tress;
 using namespace tress::test;

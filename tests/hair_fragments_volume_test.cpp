@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "accel/build.h"
-#include "tools/check/scenes/hair_views.h"
+#include "tools/check/support/hair_views.h"
 
 using namespace tress;
 using namespace tress::fragments;

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "tools/check/scenes/folder.h"
-#include "tools/check/scenes/refusal.h"
+#include "tools/check/support/folder.h"
+#include "tools/check/support/refusal.h"
 
 namespace tress::test {
 

@@ -9,7 +9,7 @@
 #include "core/head.h"
 #include "core/rng.h"
 #include "core/sampling.h"
-#include "tools/check/scenes/map_energy.h"
+#include "tools/check/support/map_energy.h"
 
 using namespace tress;
 using namespace tress::test;

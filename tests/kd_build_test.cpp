@@ -8,7 +8,7 @@
 
 #include "accel/statistics.h"
 #include "core/error.h"
-#include "tools/check/scenes/kd_sets.h"
+#include "tools/check/support/kd_sets.h"
 
 namespace tress {
 using namespace scenes;

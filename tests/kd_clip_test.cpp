@@ -6,7 +6,7 @@
 
 #include "accel/segment_primitives.h"
 #include "accel/triangle_primitives.h"
-#include "tools/check/scenes/kd_sets.h"
+#include "tools/check/support/kd_sets.h"
 
 namespace tress {
 using namespace scenes;

@@ -7,8 +7,8 @@
 #include "gather/crossing_light.h"
 #include "gather/light_rays.h"
 #include "gather/seen_points.h"
-#include "tools/check/scenes/hair_lit_by_lamp.h"
-#include "tools/check/scenes/turned_scene.h"
+#include "tools/check/support/hair_lit_by_lamp.h"
+#include "tools/check/support/turned_scene.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -10,7 +10,7 @@
 #include "core/rng.h"
 #include "gather/paths/path_tracer.h"
 #include "tests/plain_path_tracer.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/small_scenes.h"
 
 namespace tress::test {
 

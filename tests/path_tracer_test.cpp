@@ -5,7 +5,7 @@
 #include <tbb/global_control.h>
 
 #include "tests/path_support.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/tufts.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -4,7 +4,7 @@
 
 #include "gather/direct_light.h"
 #include "tests/path_support.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/tufts.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -5,8 +5,8 @@
 
 #include "accel/build.h"
 #include "core/hair_points.h"
-#include "tools/check/scenes/small_scenes.h"
-#include "tools/check/scenes/surface_photons.h"
+#include "tools/check/support/small_scenes.h"
+#include "tools/check/support/surface_photons.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/type_shares.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/tufts.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gather/photons/photon_tracing.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/small_scenes.h"
 
 namespace tress::test {
 

@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "core/light_reach.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -4,8 +4,8 @@
 
 #include "accel/isa_targets.h"
 #include "core/type_shares.h"
-#include "tools/check/scenes/small_scenes.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/small_scenes.h"
+#include "tools/check/support/tufts.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/projection_support.h"
-#include "tools/check/scenes/cone_coverage.h"
+#include "tools/check/support/cone_coverage.h"
 
 using namespace tress;
 using namespace tress::test;

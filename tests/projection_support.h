@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "accel/isa_targets.h"
-#include "tools/check/scenes/projected_hair.h"
+#include "tools/check/support/projected_hair.h"
 
 namespace tress::test {
 

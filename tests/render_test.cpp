@@ -4,8 +4,8 @@
 
 #include "accel/queries.h"
 #include "gather/shading_point.h"
-#include "tools/check/scenes/pictures.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/pictures.h"
+#include "tools/check/support/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/check/scenes/folder.h"
+#include "tools/check/support/folder.h"
 
 namespace tress::test {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "gather/ray_buffer.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/tufts.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tools/check/scenes/hair_views.h"
+#include "tools/check/support/hair_views.h"
 
 using namespace tress;
 using namespace tress::fragments;

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "tools/check/scenes/step_functions.h"
+#include "tools/check/support/step_functions.h"
 
 using namespace tress;
 

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.h"
-#include "tools/check/scenes/folder.h"
+#include "tools/check/support/folder.h"
 #include "tools/signature.h"
 
 using namespace tress;

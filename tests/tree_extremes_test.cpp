@@ -2,7 +2,7 @@
 // Stiff cases of hair queries: thin hair seen from far, rays along the axis, ten thousand layers.
 #include <doctest/doctest.h>
 
-#include "tools/check/scenes/one_hair.h"
+#include "tools/check/support/one_hair.h"
 
 using namespace tress;
 using namespace tress::scenes;

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "accel/build.h"
-#include "tools/check/scenes/oracle_verdict.h"
+#include "tools/check/support/oracle_verdict.h"
 
 using namespace tress;
 using namespace tress::scenes;

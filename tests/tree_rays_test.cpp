@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>
 
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/small_scenes.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -5,8 +5,8 @@
 #include "accel/build.h"
 #include "core/error.h"
 #include "core/frame.h"
-#include "tools/check/scenes/segment_oracle.h"
-#include "tools/check/scenes/tree_scenes.h"
+#include "tools/check/support/segment_oracle.h"
+#include "tools/check/support/tree_scenes.h"
 
 using namespace tress;
 using namespace tress::scenes;

@@ -4,7 +4,7 @@
 
 #include "accel/build.h"
 #include "accel/ray_work.h"
-#include "tools/check/scenes/tree_scenes.h"
+#include "tools/check/support/tree_scenes.h"
 
 using namespace tress;
 using namespace tress::scenes;

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "accel/build.h"
-#include "tools/check/scenes/tree_scenes.h"
+#include "tools/check/support/tree_scenes.h"
 
 using namespace tress;
 using namespace tress::scenes;

@@ -5,7 +5,7 @@
 
 #include "io/byte_reader.h"
 #include "tests/io_support.h"
-#include "tools/check/scenes/full_disk.h"
+#include "tools/check/support/full_disk.h"
 
 using namespace tress;
 using namespace tress::test;

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "tools/check/scenes/folder.h"
+#include "tools/check/support/folder.h"
 #include "tests/fuzz/input_file.h"
 
 int main(int argc, char** argv) {

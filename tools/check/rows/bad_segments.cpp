@@ -2,10 +2,10 @@
 #include "tools/check/rows/bad_segments.h"
 
 #include "accel/build.h"
-#include "tools/check/scenes/bad_hair.h"
-#include "tools/check/scenes/method_sets.h"
-#include "tools/check/scenes/oracle_verdict.h"
-#include "tools/check/scenes/pictures.h"
+#include "tools/check/support/bad_hair.h"
+#include "tools/check/support/method_sets.h"
+#include "tools/check/support/oracle_verdict.h"
+#include "tools/check/support/pictures.h"
 
 namespace tress {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "tools/check/scenes/method_sets.h"
-#include "tools/check/scenes/pictures.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/method_sets.h"
+#include "tools/check/support/pictures.h"
+#include "tools/check/support/small_scenes.h"
 
 namespace tress {
 namespace {

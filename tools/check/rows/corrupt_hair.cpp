@@ -5,10 +5,10 @@
 #include <new>
 
 #include "io/hair_file.h"
-#include "tools/check/scenes/damaged_bytes.h"
-#include "tools/check/scenes/little_memory.h"
-#include "tools/check/scenes/raw_hair.h"
-#include "tools/check/scenes/refusal.h"
+#include "tools/check/support/damaged_bytes.h"
+#include "tools/check/support/little_memory.h"
+#include "tools/check/support/raw_hair.h"
+#include "tools/check/support/refusal.h"
 
 namespace tress {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tools/check/rows/projection_rows.h"
-#include "tools/check/scenes/cone_coverage.h"
+#include "tools/check/support/cone_coverage.h"
 
 namespace tress {
 namespace {

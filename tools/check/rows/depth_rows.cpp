@@ -8,8 +8,8 @@
 #include "gather/shadow_maps/opacity_texels.h"
 #include "gather/shadow_maps/optical_depth.h"
 #include "tools/check/rows/lamp_map_rows.h"
-#include "tools/check/scenes/hair_views.h"
-#include "tools/check/scenes/step_functions.h"
+#include "tools/check/support/hair_views.h"
+#include "tools/check/support/step_functions.h"
 #include "tools/number_text.h"
 
 namespace tress {

@@ -5,7 +5,7 @@
 
 #include "core/groom.h"
 #include "tools/check/check_rows.h"
-#include "tools/check/scenes/projected_hair.h"
+#include "tools/check/support/projected_hair.h"
 
 namespace tress {
 namespace {

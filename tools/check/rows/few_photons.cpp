@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "gather/photons/photon_display.h"
-#include "tools/check/scenes/map_energy.h"
-#include "tools/check/scenes/pictures.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/map_energy.h"
+#include "tools/check/support/pictures.h"
+#include "tools/check/support/tufts.h"
 
 namespace tress {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/fiber_chiang.h"
 #include "core/fiber_marschner.h"
 #include "core/marschner_azimuthal.h"
-#include "tools/check/scenes/fiber_extremes.h"
+#include "tools/check/support/fiber_extremes.h"
 
 namespace tress {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/check/rows/fiber_limit_rows.h"
-#include "tools/check/scenes/fiber_reciprocity.h"
+#include "tools/check/support/fiber_reciprocity.h"
 #include "tools/number_text.h"
 
 namespace tress {

@@ -17,10 +17,10 @@
 #include "io/scene_file.h"
 #include "io/whole_file.h"
 #include "tools/check/check_report.h"
-#include "tools/check/scenes/decimal_commas.h"
-#include "tools/check/scenes/folder.h"
-#include "tools/check/scenes/full_disk.h"
-#include "tools/check/scenes/refusal.h"
+#include "tools/check/support/decimal_commas.h"
+#include "tools/check/support/folder.h"
+#include "tools/check/support/full_disk.h"
+#include "tools/check/support/refusal.h"
 #include "tools/number_text.h"
 
 namespace tress {

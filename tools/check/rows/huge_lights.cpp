@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "io/exr_file.h"
-#include "tools/check/scenes/folder.h"
-#include "tools/check/scenes/method_sets.h"
-#include "tools/check/scenes/pictures.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/folder.h"
+#include "tools/check/support/method_sets.h"
+#include "tools/check/support/pictures.h"
+#include "tools/check/support/small_scenes.h"
 
 namespace tress {
 namespace {

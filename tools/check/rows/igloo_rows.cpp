@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "tools/check/rows/projection_rows.h"
-#include "tools/check/scenes/projected_hair.h"
+#include "tools/check/support/projected_hair.h"
 
 namespace tress {
 namespace {

@@ -4,8 +4,8 @@
 #include "accel/build.h"
 #include "accel/statistics.h"
 #include "core/groom.h"
-#include "tools/check/scenes/kd_sets.h"
-#include "tools/check/scenes/refusal.h"
+#include "tools/check/support/kd_sets.h"
+#include "tools/check/support/refusal.h"
 
 namespace tress {
 namespace {

@@ -2,8 +2,8 @@
 #include "tools/check/rows/lamp_map_rows.h"
 
 #include "gather/shadow_maps/ribbon.h"
-#include "tools/check/scenes/hair_lit_by_lamp.h"
-#include "tools/check/scenes/turned_scene.h"
+#include "tools/check/support/hair_lit_by_lamp.h"
+#include "tools/check/support/turned_scene.h"
 
 namespace tress {
 namespace {

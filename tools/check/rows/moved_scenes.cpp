@@ -5,10 +5,10 @@
 
 #include "core/image_error.h"
 #include "core/layer_image.h"
-#include "tools/check/scenes/method_sets.h"
-#include "tools/check/scenes/pictures.h"
-#include "tools/check/scenes/refusal.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/method_sets.h"
+#include "tools/check/support/pictures.h"
+#include "tools/check/support/refusal.h"
+#include "tools/check/support/tufts.h"
 
 namespace tress {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "io/load_scene.h"
 #include "tools/check/rows/bad_segments.h"
-#include "tools/check/scenes/bad_hair.h"
-#include "tools/check/scenes/pictures.h"
+#include "tools/check/support/bad_hair.h"
+#include "tools/check/support/pictures.h"
 
 namespace tress {
 namespace {
@@ -77,12 +77,7 @@ struct Loaded {
 /// From a file, under lamps and a sky.
 Loaded load_and_render(const StrandSet& strands, const Options& options) {
     const Folder folder;
-    HairFile file;
-    file.strands = strands;
-    write_hair_file(folder.file("a.hair"), file);
-    SceneDescription description;
-    description.hair.resize(1);
-    description.hair[0].file = folder.file("a.hair");
+    SceneDescription description = scene_of_file(strands, folder);
     description.camera = camera_on_z(8, 24, 48);
     description.lights = {PointLight{{1, 3, 4}, Rgb(12)}, DistantLight{{0.2, -0.5, -1}, Rgb(0.5f)}, EnvironmentLight{}};
     const LoadedScene loaded = load_scene(description);

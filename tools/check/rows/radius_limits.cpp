@@ -4,11 +4,11 @@
 #include "accel/build.h"
 #include "io/load_scene.h"
 #include "io/scene_file.h"
-#include "tools/check/scenes/bad_hair.h"
-#include "tools/check/scenes/method_sets.h"
-#include "tools/check/scenes/pictures.h"
-#include "tools/check/scenes/refusal.h"
-#include "tools/check/scenes/tree_scenes.h"
+#include "tools/check/support/bad_hair.h"
+#include "tools/check/support/method_sets.h"
+#include "tools/check/support/pictures.h"
+#include "tools/check/support/refusal.h"
+#include "tools/check/support/tree_scenes.h"
 
 namespace tress {
 namespace {
@@ -61,12 +61,7 @@ bool is_refused(const std::string& field) {
 /// Whether a .hair file with such widths is refused.
 bool is_refused(const StrandSet& strands) {
     const Folder folder;
-    HairFile file;
-    file.strands = strands;
-    write_hair_file(folder.file("a.hair"), file);
-    SceneDescription description;
-    description.hair.resize(1);
-    description.hair[0].file = folder.file("a.hair");
+    const SceneDescription description = scene_of_file(strands, folder);
     return !message_of([&] { load_scene(description); }).empty();
 }
 

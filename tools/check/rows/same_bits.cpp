@@ -5,9 +5,9 @@
 #include <tbb/task_arena.h>
 
 #include "accel/isa_targets.h"
-#include "tools/check/scenes/method_sets.h"
-#include "tools/check/scenes/pictures.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/method_sets.h"
+#include "tools/check/support/pictures.h"
+#include "tools/check/support/tufts.h"
 
 namespace tress {
 namespace {

@@ -4,10 +4,10 @@
 #include "core/image_error.h"
 #include "core/layer_image.h"
 #include "core/type_shares.h"
-#include "tools/check/scenes/method_sets.h"
-#include "tools/check/scenes/pictures.h"
-#include "tools/check/scenes/tufts.h"
-#include "tools/check/scenes/turned_scene.h"
+#include "tools/check/support/method_sets.h"
+#include "tools/check/support/pictures.h"
+#include "tools/check/support/tufts.h"
+#include "tools/check/support/turned_scene.h"
 
 namespace tress {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "accel/build.h"
 #include "accel/statistics.h"
-#include "tools/check/scenes/kd_sets.h"
-#include "tools/check/scenes/one_hair.h"
-#include "tools/check/scenes/oracle_verdict.h"
+#include "tools/check/support/kd_sets.h"
+#include "tools/check/support/one_hair.h"
+#include "tools/check/support/oracle_verdict.h"
 
 namespace tress {
 namespace {

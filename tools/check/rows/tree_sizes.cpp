@@ -5,8 +5,8 @@
 
 #include "accel/build.h"
 #include "accel/statistics.h"
-#include "tools/check/scenes/kd_sets.h"
-#include "tools/check/scenes/oracle_verdict.h"
+#include "tools/check/support/kd_sets.h"
+#include "tools/check/support/oracle_verdict.h"
 
 namespace tress {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/check/rows/white_furnace.h"
 
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/tufts.h"
 
 namespace tress {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tools/check/rows/whole_turn.h"
 
-#include "tools/check/scenes/method_sets.h"
-#include "tools/check/scenes/tufts.h"
-#include "tools/check/scenes/turned_scene.h"
+#include "tools/check/support/method_sets.h"
+#include "tools/check/support/tufts.h"
+#include "tools/check/support/turned_scene.h"
 
 namespace tress {
 namespace {

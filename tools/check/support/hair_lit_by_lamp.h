@@ -7,7 +7,7 @@
 #include "core/rng.h"
 #include "gather/connection.h"
 #include "gather/lamp_visibility.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/tufts.h"
 
 namespace tress::test {
 

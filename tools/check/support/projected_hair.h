@@ -5,7 +5,7 @@
 #include "core/rng.h"
 #include "core/sampling.h"
 #include "gather/projection/hair_projection.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/tufts.h"
 
 namespace tress::test {
 

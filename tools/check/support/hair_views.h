@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gather/shadow_maps/hair_fragments.h"
-#include "tools/check/scenes/tree_scenes.h"
+#include "tools/check/support/tree_scenes.h"
 
 namespace tress::fragments {
 

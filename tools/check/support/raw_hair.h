@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tools/check/scenes/folder.h"
+#include "tools/check/support/folder.h"
 
 namespace tress::test {
 

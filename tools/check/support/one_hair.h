@@ -4,8 +4,8 @@
 
 #include "accel/build.h"
 #include "core/frame.h"
-#include "tools/check/scenes/segment_oracle.h"
-#include "tools/check/scenes/tree_scenes.h"
+#include "tools/check/support/segment_oracle.h"
+#include "tools/check/support/tree_scenes.h"
 
 namespace tress::scenes {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/check/scenes/projected_hair.h"
+#include "tools/check/support/projected_hair.h"
 
 namespace tress::test {
 

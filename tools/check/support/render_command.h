@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "core/error.h"
-#include "tools/check/scenes/folder.h"
+#include "tools/check/support/folder.h"
 #include "tools/render.h"
 
 namespace tress::test {

@@ -2,7 +2,7 @@
 // What reversing the light does to f |cos theta_i|, over random pairs of directions.
 #pragma once
 
-#include "tools/check/scenes/fiber_quadrature.h"
+#include "tools/check/support/fiber_quadrature.h"
 
 namespace tress {
 

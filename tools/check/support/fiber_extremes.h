@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tools/check/scenes/fiber_quadrature.h"
+#include "tools/check/support/fiber_quadrature.h"
 
 namespace tress {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/rng.h"
-#include "tools/check/scenes/scene_parts.h"
-#include "tools/check/scenes/small_scenes.h"
+#include "tools/check/support/scene_parts.h"
+#include "tools/check/support/small_scenes.h"
 
 namespace tress::test {
 

@@ -2,8 +2,8 @@
 // Whether a tree's answers to a ray are those of brute force in double precision.
 #pragma once
 
-#include "tools/check/scenes/segment_oracle.h"
-#include "tools/check/scenes/tree_scenes.h"
+#include "tools/check/support/segment_oracle.h"
+#include "tools/check/support/tree_scenes.h"
 
 namespace tress::oracle {
 

@@ -4,7 +4,7 @@
 
 #include "accel/build.h"
 #include "gather/photons/irradiance_map.h"
-#include "tools/check/scenes/surface_photons.h"
+#include "tools/check/support/surface_photons.h"
 
 namespace tress::test {
 

@@ -2,9 +2,10 @@
 // Hair with segments of no length, and what `tress render` says of bad hair.
 #pragma once
 
+#include "core/scene_description.h"
 #include "io/hair_file.h"
-#include "tools/check/scenes/render_command.h"
-#include "tools/check/scenes/tufts.h"
+#include "tools/check/support/render_command.h"
+#include "tools/check/support/tufts.h"
 
 namespace tress::test {
 
@@ -32,6 +33,17 @@ inline StrandSet with_no_lengths(const StrandSet& from) {
 }
 
 inline size_t segments(const StrandSet& strands) { return strands.points() - strands.strands(); }
+
+/// A scene of this hair alone, read from a file that is written into the folder.
+inline SceneDescription scene_of_file(const StrandSet& strands, const Folder& folder) {
+    HairFile file;
+    file.strands = strands;
+    write_hair_file(folder.file("a.hair"), file);
+    SceneDescription description;
+    description.hair.resize(1);
+    description.hair[0].file = folder.file("a.hair");
+    return description;
+}
 
 /// What `tress render` says of a file of hair and a lamp, under other options at their smallest.
 inline CommandEnd render_file_of(const StrandSet& strands) {
