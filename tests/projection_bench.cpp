@@ -170,8 +170,8 @@ void measure(const std::vector<ShadingPoint>& seen, Options options, const std::
     std::vector<Irradiance> found;
     for (size_t i = 0; i < n; ++i) {
         const double from = seconds();
-        project(projection, prepared.segments, truth.from[i], unseen_from(truth.points[i], prepared.segments), options.isa, scratch,
-                light);
+        project(projection, prepared.segments, truth.from[i], unseen_from(truth.points[i], prepared.segments),
+                options.isa, scratch, light);
         times.push_back(seconds() - from);
         found.push_back(by_cells(projection.igloo, truth.from[i], light));
     }

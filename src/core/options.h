@@ -39,7 +39,7 @@ struct AccelOptions {
     float depth_base = 8;       // depth limit = depth_base + depth_factor log2(n), at most 60
     float depth_factor = 1.8f;
     int failed_splits = 0;    // splits dearer than a leaf allowed on a path
-    float references = 5.4f;  // a segment, that all leaves together may hold: hair as dense as any takes 200 bytes
+    float references = 5.4f;  // a segment, that all leaves together may hold: bounds the memory of dense hair
 };
 
 inline constexpr int kMostSamples = 1 << 20;  // a pixel

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "tools/check/support/folder.h"
 #include "tests/fuzz/input_file.h"
+#include "tools/check/support/folder.h"
 
 int main(int argc, char** argv) {
     size_t inputs = 0;
