@@ -145,7 +145,7 @@ TEST_CASE("ways to a quad lamp know where on it they end, from near and from far
         CAPTURE(distance);
         const QuadLight lamp{{-2, -2, distance}, {{0, 4, 0}, {4, 0, 0}}, Rgb(1)};
         const Lit l = lit({ball()}, {}, lamp, by_maps(MapKind::deep));
-        const std::vector<ShadingPoint> points = find_seen_points(l.scene, l.prepared, l.options);
+        const std::vector<ShadingPoint> points = find_seen_points(l.scene, l.prepared, l.options).hair;
         std::vector<Sampler> samplers;
         for (uint64_t i = 0; i < points.size(); ++i) samplers.push_back({hash(1, i), 0});
         LightRays ways;

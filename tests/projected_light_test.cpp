@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include "accel/isa_targets.h"
+#include "core/rng.h"
 #include "core/type_shares.h"
 #include "tools/check/support/small_scenes.h"
 #include "tools/check/support/tufts.h"
@@ -24,20 +25,37 @@ Options type2_by(GatherMethod method, ProjectionDetail detail = ProjectionDetail
     return options;
 }
 
-/// Some hundred fibers before a square, under a sky.
-Scene hair_before_wall(bool wall, const Rgb& sky) {
-    std::vector<Vec2> xz;
-    for (int i = 0; i < 300; ++i) xz.push_back({float(i % 30) * 0.03f - 0.45f, 0.3f + float(i / 30) * 0.05f});
-    const PlacedHair hair = upright_fibers(xz, 0.5f, 0.006f, make_fiber({.sigma_a = Rgb(0.2f, 0.4f, 0.8f)}));
+/// Upright fibers, through the given x, z, and a square at z = 0, under a sky.
+Scene fibers_and_wall(const std::vector<Vec2>& xz, float radius, bool wall, const Rgb& sky) {
+    const PlacedHair hair = upright_fibers(xz, 0.5f, radius, make_fiber({.sigma_a = Rgb(0.2f, 0.4f, 0.8f)}));
     std::vector<PlacedMesh> meshes;
     if (wall) meshes.push_back(square(0.8f, Rgb(0.6f, 0.5f, 0.4f)));
     return assemble({hair}, meshes, {EnvironmentLight{"", {}, sky, 0}}, camera_on_z(4, 25, 24));
+}
+
+/// Some hundred fibers before the square.
+Scene hair_before_wall(bool wall, const Rgb& sky) {
+    std::vector<Vec2> xz;
+    for (int i = 0; i < 300; ++i) xz.push_back({float(i % 30) * 0.03f - 0.45f, 0.3f + float(i / 30) * 0.05f});
+    return fibers_and_wall(xz, 0.006f, wall, sky);
+}
+
+/// Some thousand thin fibers anywhere on both sides of the square.
+Scene hair_around_wall() {
+    std::vector<Vec2> xz;
+    for (uint64_t i = 0; i < 2000; ++i)
+        xz.push_back({random(hash(7, i), 0) * 0.9f - 0.45f, random(hash(7, i), 1) * 0.5f - 0.125f});
+    return fibers_and_wall(xz, 0.0015f, true, Rgb(1));
 }
 
 TypeShare type2_of(const Rendered& r) {
     for (const TypeShare& share : type_shares(r.state.film, ShareOf::picture))
         if (share.type == PathType::type2) return share;
     return {};
+}
+
+HairProjection projection_of(const Scene& scene, const Options& options) {
+    return prepare(scene, make_plan(scene, options), options).projection;
 }
 
 bool same_pixels(const Rendered& a, const Rendered& b) { return a.layer("type2")->data == b.layer("type2")->data; }
@@ -56,6 +74,31 @@ TEST_CASE("light by projection is light by rays, with polygons and without") {
             // Three standard errors, and the error of the cells, of which calibration leaves below 1 %.
             CHECK(std::abs(cells.mean - rays.mean) < 3 * sigma + 0.01 * rays.mean);
         }
+}
+
+TEST_CASE("what gaps between cells are worth is found apart at hair and at polygons among it, and leaves no bias") {
+    const Scene scene = hair_around_wall();
+    for (const ProjectionDetail detail : {ProjectionDetail::all, ProjectionDetail::tree}) {
+        CAPTURE(int(detail));
+        const auto projected = [&](float gap) {
+            Options options = type2_by(GatherMethod::projection, detail);
+            options.projection.cells = 64;
+            options.projection.gap = gap;
+            return projection_of(scene, options);
+        };
+        const HairProjection without = projected(0), found = projected(-1);
+        for (const Dome dome : {Dome::sphere, Dome::hemisphere}) {
+            CAPTURE(int(dome));
+            REQUIRE(found.gap(dome).error.points > 0);
+            CHECK(without.gap(dome).share == 0);
+            // By one step of the secant: what is not linear in the gap is left.
+            CHECK(std::abs(found.gap(dome).error.bias) < 0.1 * std::abs(without.gap(dome).error.bias));
+        }
+        CHECK(found.at_hair.share != found.at_polygons.share);
+    }
+    const HairProjection alone = projection_of(hair_before_wall(true, Rgb(1)), type2_by(GatherMethod::projection));
+    CHECK(alone.at_hair.error.points > 0);
+    CHECK(alone.at_polygons.error.points == 0);  // none among the hair
 }
 
 TEST_CASE("pictures by projection do not depend on threads or instruction sets") {

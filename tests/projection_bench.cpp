@@ -79,10 +79,8 @@ std::vector<ShadingPoint> seen_points(const Scene& scene, const PreparedScene& p
     find_camera_points(scene, prepared, camera_frame(camera), options, {0, 0, camera.width, camera.height}, 0, seen);
     std::vector<ShadingPoint> points, kept;
     const Bounds hair = bounds(prepared.segments);
-    for (const ShadingPoint& point : seen.points) {
-        const Vec3 off = max(max(hair.lo - point.position, point.position - hair.hi), Vec3(0));
-        if ((point.fiber != kPolygon) == on_hair && max_component(off) == 0) points.push_back(point);
-    }
+    for (const ShadingPoint& point : seen.points)
+        if ((point.fiber != kPolygon) == on_hair && hair.holds(point.position)) points.push_back(point);
     const size_t step = std::max<size_t>(points.size() / most, 1);
     for (size_t i = 0; i < points.size() && kept.size() < most; i += step) kept.push_back(points[i]);
     return kept;
@@ -138,22 +136,24 @@ void print_errors(const std::vector<Irradiance>& test, const std::vector<Irradia
 }
 
 /// As for a render of the hair alone under a uniform sky, whatever the fibers do with the light.
-std::vector<LightTrial> under_uniform_sky(const std::vector<ShadingPoint>& points) {
-    constexpr uint32_t kPoints = 256, kDirections = 512;
-    std::vector<LightTrial> trials(std::min(points.size(), size_t(kPoints)));
+std::vector<LightTrial> under_uniform_sky(const std::vector<ShadingPoint>& points, size_t most) {
+    constexpr uint32_t kDirections = 512;
+    std::vector<LightTrial> trials(std::min(points.size(), most));
     for (size_t i = 0; i < trials.size(); ++i) {
         trials[i].point = points[i * points.size() / trials.size()];
         const Sampler sampler{hash(2, i), 0};
         for (uint32_t j = 0; j < kDirections; ++j) {
             const Vec3 direction = sample_uniform_sphere(Sampler{sampler.key, j}.get2(0));
-            trials[i].seen.push_back({direction, Rgb(1.0f / kDirections), kInfinity, false});
+            const bool above =
+                trials[i].point.fiber != kPolygon || dot(direction, trials[i].point.geometric_normal) > 0;
+            if (above) trials[i].seen.push_back({direction, Rgb(1.0f / kDirections), kInfinity, false});
         }
     }
     return trials;
 }
 
-/// `seen`: points of hair that the gap is chosen by.
-void measure(const std::vector<ShadingPoint>& seen, Options options, const std::string& row, PreparedScene& prepared,
+/// `seen`: points that the gap is chosen by.
+void measure(const SeenPoints& seen, Options options, const std::string& row, PreparedScene& prepared,
              const Truth& truth) {
     set_options(options, row);
     const double start = seconds();
@@ -162,7 +162,8 @@ void measure(const std::vector<ShadingPoint>& seen, Options options, const std::
     HairProjection& projection = prepared.projection;
     projection = make_hair_projection(prepared.segments, prepared.attenuation, detail, options);
     const double built = seconds();
-    if (options.projection.gap < 0) calibrate_gap(prepared, options, under_uniform_sky(seen));
+    if (options.projection.gap < 0)
+        calibrate_gap(prepared, options, {under_uniform_sky(seen.hair, 256), under_uniform_sky(seen.polygons, 64)});
     ProjectionScratch scratch;
     CellLight light;
     const size_t n = truth.points.size();
@@ -177,7 +178,8 @@ void measure(const std::vector<ShadingPoint>& seen, Options options, const std::
     }
     const double sum = std::accumulate(times.begin(), times.end(), 0.0);
     std::printf("%-60s build %5.2f s %7.1f MB  gap %.2f %9.1f us a point", row.c_str(), built - start,
-                double(bytes(projection)) / 1e6, double(projection.options.gap), 1e6 * sum / double(n));
+                double(bytes(projection)) / 1e6, double(projection.gap(truth.from[0].dome).share),
+                1e6 * sum / double(n));
     if (detail == ProjectionDetail::all)
         std::printf(" (%.2f ns a segment)", 1e9 * sum / double(n) / double(prepared.segments.size()));
     print_errors(found, truth.e);
@@ -227,7 +229,9 @@ void run(const Arguments& arguments) {
         print_errors(found, truth.e);
         std::printf("\n");
     }
-    const std::vector<ShadingPoint> seen = find_seen_points(loaded.scene, prepared, o);
+    SeenPoints seen = find_seen_points(loaded.scene, prepared, o);
+    std::erase_if(seen.polygons,
+                  [hair = bounds(prepared.segments)](const ShadingPoint& p) { return !hair.holds(p.position); });
     for (const std::string& row : arguments.rows) measure(seen, o, row, prepared, truth);
 }
 

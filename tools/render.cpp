@@ -107,7 +107,7 @@ void run(const RenderArguments& arguments) {
     stats.photons = prepared.photon_statistics;
     stats.lamp_cost = plan.lamp_cost;
     stats.gather_cost = plan.gather_cost;
-    if (plan.projection) stats.projection = {prepared.projection.options.gap, prepared.projection.error};
+    if (plan.projection) stats.projection = {prepared.projection.at_hair, prepared.projection.at_polygons};
     stats.threads = threads;
     stats.spp = state.samples;
     stats.isa = isa_name(isa);

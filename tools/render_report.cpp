@@ -56,11 +56,11 @@ void print_gather_estimate(const RenderStats& stats, const Plan& plan) {
                      core_seconds(stats, stage::kSky) + core_seconds(stats, stage::kPolygonGather));
 }
 
-void print(const ProjectionReport& report) {
-    if (report.error.points == 0) return;
+void print(const CellGap& gap, const char* of) {
+    if (gap.error.points == 0) return;
     std::fprintf(stderr,
-                 "projection: light of type 2 at %d points of hair is off by %.2f %% (rms; mean %+.2f %%), gap %.2f\n",
-                 report.error.points, 100 * report.error.rms, 100 * report.error.bias, double(report.gap));
+                 "projection: light of type 2 at %d points of %s is off by %.2f %% (rms; mean %+.2f %%), gap %.2f\n",
+                 gap.error.points, of, 100 * gap.error.rms, 100 * gap.error.bias, double(gap.share));
 }
 
 }  // namespace
@@ -71,7 +71,10 @@ void print_report(const RenderStats& stats, const Plan& plan, const Scene& scene
     print("light on hair", stats.types_on_hair);
     if (plan.lamp_cost) print_lamp_estimate(stats, plan);
     if (plan.gather_cost) print_gather_estimate(stats, plan);
-    if (stats.projection) print(*stats.projection);
+    if (stats.projection) {
+        print(stats.projection->at_hair, "hair");
+        print(stats.projection->at_polygons, "polygons among it");
+    }
     if (stats.dropped_segments)
         std::fprintf(stderr, "dropped %llu bad segments\n", static_cast<unsigned long long>(stats.dropped_segments));
 }

@@ -29,11 +29,12 @@ nlohmann::ordered_json to_json(const GatherCost& cost) {
             {"core_seconds_build", cost.build}};
 }
 
+nlohmann::ordered_json to_json(const CellGap& gap) {
+    return {{"gap", gap.share}, {"points", gap.error.points}, {"rms_error", gap.error.rms}, {"bias", gap.error.bias}};
+}
+
 nlohmann::ordered_json to_json(const ProjectionReport& report) {
-    return {{"gap", report.gap},
-            {"points", report.error.points},
-            {"rms_error", report.error.rms},
-            {"bias", report.error.bias}};
+    return {{"at_hair", to_json(report.at_hair)}, {"at_polygons", to_json(report.at_polygons)}};
 }
 
 nlohmann::ordered_json to_json(const std::vector<Snapshot>& snapshots) {

@@ -13,10 +13,9 @@
 
 namespace tress {
 
-/// Of projection: the gap that was added, and the error that rays showed (gather/projection/calibrate_gap.h).
+/// Of projection: the gaps that were added, and the error that rays showed (gather/projection/calibrate_gap.h).
 struct ProjectionReport {
-    float gap = 0;
-    ProjectionError error;
+    CellGap at_hair, at_polygons;
 };
 
 /// A picture that was kept on the way.

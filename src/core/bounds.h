@@ -15,6 +15,9 @@ struct BasicBounds {
     bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
     Vec center() const { return Scalar(0.5) * (lo + hi); }
     Vec extent() const { return hi - lo; }
+    bool holds(const Vec& p) const {
+        return lo.x <= p.x && p.x <= hi.x && lo.y <= p.y && p.y <= hi.y && lo.z <= p.z && p.z <= hi.z;
+    }
 
     void add(const Vec& point) {
         lo = glm::min(lo, point);

@@ -31,29 +31,35 @@ void add_rays(const Camera& camera, float filter_radius, int first, RayBuffer& t
     }
 }
 
-std::vector<ShadingPoint> points_of_rows(const Scene& scene, const PreparedScene& prepared, const Options& options,
-                                         int first) {
+SeenPoints points_of_rows(const Scene& scene, const PreparedScene& prepared, const Options& options, int first) {
     RayBuffer rays;
     CameraHits hits;
     add_rays(scene.camera, options.film.filter_radius, first, rays);
     find_nearest(prepared, options.isa, rays, hits);
-    std::vector<ShadingPoint> points;
-    for (size_t ray = 0; ray < rays.size(); ++ray)
-        if (hits.id[ray] != kNone && !hits.on_polygon[ray])
-            points.push_back(fiber_point(scene, prepared, rays.direction(ray), hit_of(hits, ray)));
+    SeenPoints points;
+    for (size_t ray = 0; ray < rays.size(); ++ray) {
+        if (hits.id[ray] == kNone) continue;
+        if (hits.on_polygon[ray])
+            points.polygons.push_back(polygon_point(scene, rays.direction(ray), hit_of(hits, ray)));
+        else
+            points.hair.push_back(fiber_point(scene, prepared, rays.direction(ray), hit_of(hits, ray)));
+    }
     return points;
 }
 
 }  // namespace
 
-std::vector<ShadingPoint> find_seen_points(const Scene& scene, const PreparedScene& prepared, const Options& options) {
+SeenPoints find_seen_points(const Scene& scene, const PreparedScene& prepared, const Options& options) {
     constexpr int batches = kSeenRays / kRowsABatch;
     static_assert(batches * kRowsABatch == kSeenRays);
-    std::array<std::vector<ShadingPoint>, batches> found;
+    std::array<SeenPoints, batches> found;
     tbb::parallel_for(0, batches,
                       [&](int b) { found[size_t(b)] = points_of_rows(scene, prepared, options, b * kRowsABatch); });
-    std::vector<ShadingPoint> all;
-    for (const auto& points : found) all.insert(all.end(), points.begin(), points.end());
+    SeenPoints all;
+    for (const SeenPoints& points : found) {
+        all.hair.insert(all.hair.end(), points.hair.begin(), points.hair.end());
+        all.polygons.insert(all.polygons.end(), points.polygons.begin(), points.polygons.end());
+    }
     return all;
 }
 

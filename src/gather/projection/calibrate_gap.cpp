@@ -11,8 +11,8 @@ namespace tress {
 namespace {
 
 constexpr uint64_t kKey = hash(0, 0x676170);
-constexpr float kMostGap = 4;
-constexpr float kUsualGap = 1;  // where no hair is seen: about what is right for hair everywhere
+constexpr float kLeastGap = -1, kMostGap = 4;  // below 0: fibers side by side, which hide less of each other
+constexpr float kUsualGap = 1;                 // where no hair is seen: about what is right for hair everywhere
 
 using Means = std::vector<double>;  // luminance that leaves each point
 
@@ -59,24 +59,27 @@ ProjectionError error_of(const Means& test, const Means& truth) {
     return e;
 }
 
-}  // namespace
-
-void calibrate_gap(PreparedScene& prepared, const Options& options, std::span<const LightTrial> trials) {
-    HairProjection& projection = prepared.projection;
-    float& gap = projection.options.gap;
-    const bool wanted = gap < 0;
-    if (wanted) gap = kUsualGap;
+/// `gap` is the one that trials with this projection see.
+void calibrate(const PreparedScene& prepared, const Options& options, std::span<const LightTrial> trials,
+               CellGap& gap) {
+    const bool wanted = options.projection.gap < 0;
+    if (wanted) gap.share = kUsualGap;
     if (trials.empty()) return;
     const Means truth = by_rays(prepared, options, trials);
-    ProjectionError found = error_of(by_projection(prepared, options, trials), truth);
-    if (wanted) {
-        gap = 0;
-        const double without = error_of(by_projection(prepared, options, trials), truth).bias;
-        const double slope = (found.bias - without) / double(kUsualGap);  // bias is nearly linear in the gap
-        gap = slope > 0 ? glm::clamp(float(-without / slope), 0.0f, kMostGap) : 0.0f;
-        found = error_of(by_projection(prepared, options, trials), truth);
-    }
-    projection.error = found;
+    gap.error = error_of(by_projection(prepared, options, trials), truth);
+    if (!wanted) return;
+    gap.share = 0;
+    const double without = error_of(by_projection(prepared, options, trials), truth).bias;
+    const double slope = (gap.error.bias - without) / double(kUsualGap);  // bias is nearly linear in the gap
+    gap.share = slope > 0 ? glm::clamp(float(-without / slope), kLeastGap, kMostGap) : 0.0f;
+    gap.error = error_of(by_projection(prepared, options, trials), truth);
+}
+
+}  // namespace
+
+void calibrate_gap(PreparedScene& prepared, const Options& options, const LightTrials& trials) {
+    calibrate(prepared, options, trials.at_hair, prepared.projection.at_hair);
+    calibrate(prepared, options, trials.at_polygons, prepared.projection.at_polygons);
 }
 
 }  // namespace tress

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of the gaps between cells must be added (CellTransmittance), found by rays; and what error is left.
+// How much of the gaps between cells must be added (CellTransmittance), found by rays; and what error is left. At hair
+// and at polygons apart: a scalp sees hair that lies along it, and none of its own.
 #pragma once
 
 #include <span>
@@ -9,7 +10,7 @@
 namespace tress {
 
 /// Compares light by projection with rays along the same directions. Where options say that rays choose the gap, sets
-/// it so that no bias is left; sets prepared.projection.error in any case.
-void calibrate_gap(PreparedScene& prepared, const Options& options, std::span<const LightTrial> trials);
+/// its share so that no bias is left; says what error is left in any case.
+void calibrate_gap(PreparedScene& prepared, const Options& options, const LightTrials& trials);
 
 }  // namespace tress

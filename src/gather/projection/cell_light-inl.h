@@ -35,7 +35,7 @@ inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, float 
             const FloatVec difference = own - hn::GatherIndex(d, root, other);
             sum = sum + difference * difference;
         }
-        hn::Store(hn::Min(own * own + set(gap / 8) * sum, set(1.0f)), d, light + i);
+        hn::Store(hn::Clamp(own * own + set(gap / 8) * sum, hn::Zero(d), set(1.0f)), d, light + i);
     }
 }
 

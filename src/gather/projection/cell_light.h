@@ -8,7 +8,8 @@
 namespace tress {
 
 /// Transmittance of a cell: exp(-depth), and for what is lost by taking the exponential of a mean depth, a share of the
-/// like gap between neighbouring cells: T + gap * mean over four neighbours of ((T + Tn) / 2 - sqrt(T Tn)), at most 1.
+/// like gap between neighbouring cells: T + gap * mean over four neighbours of ((T + Tn) / 2 - sqrt(T Tn)), kept in [0,
+/// 1].
 struct CellTransmittance {
     AlignedArray<float> channel[3];  // one a cell of the dome; gray: only the first
 

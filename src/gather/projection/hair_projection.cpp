@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kCubesAcross = 256;  // of the smallest, over the hair
 
-ProjectionInput input_of(const HairProjection& p) {
-    return {p.igloo, p.opacity, p.segments, p.tree, p.options.opening, p.options.splats, std::max(p.options.gap, 0.0f)};
+ProjectionInput input_of(const HairProjection& p, Dome dome) {
+    return {p.igloo, p.opacity, p.segments, p.tree, p.options.opening, p.options.splats, p.gap(dome).share};
 }
 
 Rgb color(float depth) { return Rgb(depth); }
@@ -30,6 +30,7 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
     HairProjection p;
     p.options = options.projection;
     p.options.detail = detail;
+    p.at_hair.share = p.at_polygons.share = std::max(p.options.gap, 0.0f);
     p.bounds = bounds(segments);
     p.igloo = make_igloo(uint32_t(p.options.cells));
     p.opacity = make_hair_opacity(attenuation);
@@ -52,7 +53,7 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
 
 void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& from, const Unseen& unseen, Isa isa,
              ProjectionScratch& scratch, CellLight& light) {
-    const ProjectionInput in = input_of(p);
+    const ProjectionInput in = input_of(p, from.dome);
     const ProjectionKernels kernels = projection_kernels(isa);
     switch (p.options.detail) {
         case ProjectionDetail::tree:
@@ -70,14 +71,14 @@ void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& 
 
 void project_near(const HairProjection& p, const Viewpoint& from, const Unseen& unseen, const FarHair& far, Isa isa,
                   ProjectionScratch& scratch, CellLight& light) {
-    const ProjectionInput in = input_of(p);
+    const ProjectionInput in = input_of(p, from.dome);
     const ProjectionKernels kernels = projection_kernels(isa);
     kernels.project_near(in, from, unseen, far, scratch);
     kernels.find_light(in, from, scratch, light);
 }
 
 FarHair find_far_hair(const HairProjection& p, const Viewpoint& from, float size, Isa isa, ProjectionScratch& scratch) {
-    const ProjectionInput in = input_of(p);
+    const ProjectionInput in = input_of(p, from.dome);
     FarHair far;
     far.near_box = {from.position - p.tree.origin, kNearCubes * size, size};
     projection_kernels(isa).project_far(in, from, far, scratch);

@@ -13,21 +13,29 @@
 
 namespace tress {
 
-/// Of light of type 2 that leaves points of hair for the eye, against rays, relative to its mean.
+/// Of light of type 2 that leaves points for the eye, against rays, relative to its mean.
 struct ProjectionError {
     double rms = 0, bias = 0;
-    int points = 0;  // 0: no hair is seen, nothing is known
+    int points = 0;  // 0: none is seen, nothing is known
+};
+
+/// What share of the gaps between cells is added (CellTransmittance), from -1 to 8, and what error is left.
+struct CellGap {
+    float share = 0;
+    ProjectionError error;
 };
 
 struct HairProjection {
     Bounds bounds;  // of all hair
     Igloo igloo;
     HairOpacity opacity;
-    ProjectedSegments segments;  // all or simplified; empty where a tree is walked
-    StrandLayers layers;         // empty where distance does not choose
-    MomentTree tree;             // empty where segments are projected
-    ProjectionOptions options;   // with numbers in place of what is automatic; the gap by calibrate_gap
-    ProjectionError error;       // likewise
+    ProjectedSegments segments;    // all or simplified; empty where a tree is walked
+    StrandLayers layers;           // empty where distance does not choose
+    MomentTree tree;               // empty where segments are projected
+    ProjectionOptions options;     // with numbers in place of what is automatic, but for the gap
+    CellGap at_hair, at_polygons;  // as the options say; where rays shall say, by calibrate_gap
+
+    const CellGap& gap(Dome dome) const { return dome == Dome::sphere ? at_hair : at_polygons; }
 };
 
 /// `detail` is not automatic.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points of hair that the eye sees, and the light that they may receive: what projection is tried on before a render.
+// Points that the eye sees, and the light that they may receive through hair: what projection is tried on before a
+// render.
 #pragma once
 
 #include <optional>
@@ -15,8 +16,13 @@ struct LightTrial {
     std::vector<SeenLight> seen;
 };
 
-/// Some points spread over the picture. All that the plan lists but the gap must be prepared.
-std::vector<LightTrial> make_light_trials(const Scene& scene, const Plan& plan, const PreparedScene& prepared,
-                                          const Options& options);
+struct LightTrials {
+    std::vector<LightTrial> at_hair, at_polygons;
+};
+
+/// Some points spread over the picture; of those on polygons, which are lit through cells. All that the plan lists but
+/// the gap must be prepared.
+LightTrials make_light_trials(const Scene& scene, const Plan& plan, const PreparedScene& prepared,
+                              const Options& options);
 
 }  // namespace tress

@@ -9,13 +9,6 @@
 #include "gather/visibility.h"
 
 namespace tress {
-namespace {
-
-bool is_inside(const Bounds& box, const Vec3& place) {
-    return min_component(place - box.lo) >= 0 && min_component(box.hi - place) >= 0;
-}
-
-}  // namespace
 
 void ProjectedLight::operator()(const Scene& scene, const PreparedScene& prepared, const Plan& plan,
                                 const Options& options, std::span<const ShadingPoint> points,
@@ -36,7 +29,7 @@ void ProjectedLight::operator()(const Scene& scene, const PreparedScene& prepare
             find_seen_light(*probe, prepared.probes->igloo(), point, directions_, seen_);
         else
             by_rays_(scene, prepared, plan, options, point, directions_, seen_);
-        const bool by_cells = at_hair || is_inside(hair, point.position);
+        const bool by_cells = at_hair || hair.holds(point.position);
         if (by_cells)
             radiance[row] +=
                 through_cells_(prepared, point, probe, seen_, hash(sampler.key, sampler.index), options.isa);

@@ -8,7 +8,8 @@ namespace tress {
 SeenHair find_seen_hair(const Scene& scene, const PreparedScene& prepared, const Options& options) {
     SeenHair seen;
     seen.bounds = bounds(prepared.segments);
-    for (const ShadingPoint& point : find_seen_points(scene, prepared, options)) seen.points.push_back(point.position);
+    const SeenPoints points = find_seen_points(scene, prepared, options);
+    for (const ShadingPoint& point : points.hair) seen.points.push_back(point.position);
     return seen;
 }
 
