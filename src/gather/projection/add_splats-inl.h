@@ -56,38 +56,43 @@ HWY_INLINE void add_depth(Rgbx& cell, const Rgbx& opacity, float coverage) {
     }
 }
 
-/// Finds the cell of each splat and the share of it that is covered; none below the horizon of a hemisphere. Cells of
-/// hair behind polygons follow those of all other.
-inline void find_cells(const Igloo& igloo, const Viewpoint& from, Splats& splats) {
+/// A vector of places about a point, and what is between.
+struct SeenPlaces {
+    FloatVec x, y, z, squared, inverse;  // squared distance, 1 / distance
+};
+
+HWY_INLINE SeenPlaces places(FloatVec x, FloatVec y, FloatVec z) {
+    const FloatVec squared = hn::Max(dot3(x, y, z, x, y, z), set(1e-30f));
+    return {x, y, z, squared, inverse_sqrt(squared)};
+}
+
+/// Cells of splats at `seen`, and the share of each that they cover, to row `at` of `to`; none below the horizon of a
+/// hemisphere. Cells of hair behind polygons follow those of all other.
+HWY_INLINE void find_cells(const Igloo& igloo, const Viewpoint& from, const SeenPlaces& seen, FloatVec solid_angle,
+                           size_t at, CellSplats& to) {
     const Floats d;
     const Ints di;
     const Frame& f = from.frame;
-    const FloatVec per_cell = set(1 / igloo.solid_angle()), zero = hn::Zero(d);
+    const FloatVec zero = hn::Zero(d);
     const bool clip = from.dome == Dome::hemisphere;
-    const IntVec all = hn::Set(di, int32_t(igloo.cells_of(from.dome)));
-    for (size_t at = 0; at < splats.size; at += hn::Lanes(d)) {
-        const FloatVec x = hn::Load(d, &splats.x[at]), y = hn::Load(d, &splats.y[at]), z = hn::Load(d, &splats.z[at]);
-        const FloatVec squared = dot3(x, y, z, x, y, z), inverse = inverse_sqrt(squared);
-        const FloatVec local_x = dot3(set(f.x.x), set(f.x.y), set(f.x.z), x, y, z) * inverse;
-        const FloatVec local_y = dot3(set(f.y.x), set(f.y.y), set(f.y.z), x, y, z) * inverse;
-        const FloatVec local_z = dot3(set(f.z.x), set(f.z.y), set(f.z.z), x, y, z) * inverse;
-        FloatVec covered = hn::Load(d, &splats.solid_angle[at]) * per_cell;
-        IntVec cell = cells_of(igloo, local_x, local_y, clip ? hn::Max(local_z, zero) : local_z);
-        if (clip) covered = hn::IfThenElseZero(local_z >= zero, covered);
-        if (!from.sight.empty()) {
-            const auto hidden = squared > hn::GatherIndex(d, from.sight.data(), cell);
-            cell = cell + hn::IfThenElseZero(hn::RebindMask(di, hidden), all);
-        }
-        hn::Store(cell, di, &splats.cell[at]);
-        hn::Store(covered, d, &splats.coverage[at]);
+    const FloatVec x = dot3(set(f.x.x), set(f.x.y), set(f.x.z), seen.x, seen.y, seen.z) * seen.inverse;
+    const FloatVec y = dot3(set(f.y.x), set(f.y.y), set(f.y.z), seen.x, seen.y, seen.z) * seen.inverse;
+    const FloatVec z = dot3(set(f.z.x), set(f.z.y), set(f.z.z), seen.x, seen.y, seen.z) * seen.inverse;
+    FloatVec covered = solid_angle * set(1 / igloo.solid_angle());
+    IntVec cell = cells_of(igloo, x, y, clip ? hn::Max(z, zero) : z);
+    if (clip) covered = hn::IfThenElseZero(z >= zero, covered);
+    if (!from.sight.empty()) {
+        const IntVec all = hn::Set(di, int32_t(igloo.cells_of(from.dome)));
+        const auto hidden = seen.squared > hn::GatherIndex(d, from.sight.data(), cell);
+        cell = cell + hn::IfThenElseZero(hn::RebindMask(di, hidden), all);
     }
+    hn::StoreU(cell, di, &to.cell[at]);
+    hn::StoreU(covered, d, &to.coverage[at]);
 }
 
-/// Empties `splats`. Cells are found for all of them first, so that neither step waits for the other.
+/// Empties `splats`.
 template <SplatOf kOf = SplatOf::fiber, class Depth>
-void add_splats(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, Splats& splats,
-                CellDepths<Depth>& to) {
-    find_cells(igloo, from, splats);
+void add_to_cells(const HairOpacity& opacity, CellSplats& splats, CellDepths<Depth>& to) {
     Depth* const depth = to.depth.data();
     const Rgbx* const row = opacity.row.data();
     const int32_t* const cell = splats.cell.data();
@@ -102,6 +107,19 @@ void add_splats(const Igloo& igloo, const Viewpoint& from, const HairOpacity& op
                            coverage[i + copy]);
     for (; i < size; ++i) add_depth<kOf>(depth[size_t(cell[i])], row[opacity_row[i]], coverage[i]);
     splats.size = 0;
+}
+
+/// Empties `splats`. Cells are found for all of them first, so that neither step waits for the other.
+template <SplatOf kOf = SplatOf::fiber, class Depth>
+void add_splats(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, Splats& splats,
+                CellDepths<Depth>& to) {
+    const Floats d;
+    for (size_t at = 0; at < splats.size; at += hn::Lanes(d)) {
+        const SeenPlaces seen =
+            places(hn::Load(d, &splats.x[at]), hn::Load(d, &splats.y[at]), hn::Load(d, &splats.z[at]));
+        find_cells(igloo, from, seen, hn::Load(d, &splats.solid_angle[at]), at, splats);
+    }
+    add_to_cells<kOf>(opacity, splats, to);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -29,44 +29,45 @@ HWY_INLINE float widest_splat(float cell_size) { return std::min(kWideShare * ce
 
 /// A vector of segments: middles relative to the point, tangents.
 struct SeenSegments {
-    FloatVec x, y, z, ux, uy, uz, length, radius;
+    SeenPlaces middle;
+    FloatVec ux, uy, uz, length, radius;
 };
 
-HWY_INLINE SeenSegments look_at(const ProjectedSegments& s, size_t i, const Viewpoint& from) {
+/// Those from row `i` on; their parts of a `share` of their length about a `place` on them, from -1 to 1.
+HWY_INLINE SeenSegments look_at(const ProjectedSegments& s, size_t i, const Viewpoint& from, float place = 0,
+                                float share = 1) {
     const Floats d;
-    return {hn::Load(d, &s.x[i]) - set(from.position.x),
-            hn::Load(d, &s.y[i]) - set(from.position.y),
-            hn::Load(d, &s.z[i]) - set(from.position.z),
-            hn::Load(d, &s.ux[i]),
-            hn::Load(d, &s.uy[i]),
-            hn::Load(d, &s.uz[i]),
-            hn::Load(d, &s.length[i]),
-            hn::Load(d, &s.radius[i])};
-}
-
-HWY_INLINE FloatVec squared_distance(const SeenSegments& v) {
-    return hn::Max(dot3(v.x, v.y, v.z, v.x, v.y, v.z), set(1e-30f));
+    const FloatVec ux = hn::Load(d, &s.ux[i]), uy = hn::Load(d, &s.uy[i]), uz = hn::Load(d, &s.uz[i]);
+    FloatVec x = hn::Load(d, &s.x[i]) - set(from.position.x), y = hn::Load(d, &s.y[i]) - set(from.position.y),
+             z = hn::Load(d, &s.z[i]) - set(from.position.z);
+    FloatVec length = hn::Load(d, &s.length[i]), radius = hn::Load(d, &s.radius[i]);
+    if (place != 0) {
+        const FloatVec along = set(0.5f * place) * length;
+        x = x + along * ux, y = y + along * uy, z = z + along * uz;
+        radius = radius + set(place) * hn::Load(d, &s.taper[i]);
+        length = set(share) * length;
+    }
+    return {places(x, y, z), ux, uy, uz, length, radius};
 }
 
 /// A vector of segments as one splat each, at rows `at` and on: solid angle 2 r L sin(alpha) / d^2 (1 + (5 g^2 - L^2) /
 /// (8 d^2)), with alpha the angle between tangent and direction and g = L cos(alpha): the integral over the axis up to
 /// the fourth power of L / d. Where `left_out`, it is 0.
-HWY_INLINE void splat_segments(const SeenSegments& v, FloatVec squared, FloatMask left_out, size_t at, Splats& to) {
-    const Floats d;
+HWY_INLINE void splat_segments(const Igloo& igloo, const Viewpoint& from, const SeenSegments& v, FloatMask left_out,
+                               size_t at, CellSplats& to) {
     const Ints di;
     const FloatVec one = set(1.0f);
-    const FloatVec inverse = inverse_sqrt(squared), inverse_squared = inverse * inverse;
-    const FloatVec along = dot3(v.x, v.y, v.z, v.ux, v.uy, v.uz);
-    const FloatVec cosine = along * inverse;
+    const auto& [x, y, z, squared, inverse] = v.middle;
+    const FloatVec inverse_squared = inverse * inverse;
+    const FloatVec cosine = dot3(x, y, z, v.ux, v.uy, v.uz) * inverse;
     // By the cross product: 1 - cosine^2 has no digits left where they are nearly parallel.
-    const FloatVec cx = v.y * v.uz - v.z * v.uy, cy = v.z * v.ux - v.x * v.uz, cz = v.x * v.uy - v.y * v.ux;
+    const FloatVec cx = y * v.uz - z * v.uy, cy = z * v.ux - x * v.uz, cz = x * v.uy - y * v.ux;
     const FloatVec sine_squared = hn::Min(dot3(cx, cy, cz, cx, cy, cz) * inverse_squared, one);
     const FloatVec sine_alpha = hn::Sqrt(sine_squared);
     const FloatVec in_distances = v.length * v.length * inverse_squared;
     const FloatVec higher = one + set(0.125f) * in_distances * (set(5.0f) * cosine * cosine - one);
     const FloatVec solid = set(2.0f) * v.radius * v.length * sine_alpha * inverse_squared * higher;
-    hn::StoreU(v.x, d, &to.x[at]), hn::StoreU(v.y, d, &to.y[at]), hn::StoreU(v.z, d, &to.z[at]);
-    hn::StoreU(hn::IfThenZeroElse(left_out, solid), d, &to.solid_angle[at]);
+    find_cells(igloo, from, v.middle, hn::IfThenZeroElse(left_out, solid), at, to);
     const FloatVec row = sine_alpha * set(float(kOpacityRows - 1)) + set(0.5f);
     hn::StoreU(hn::ConvertTo(di, row), di, &to.opacity_row[at]);
 }
@@ -77,15 +78,16 @@ struct NearSegments {
 };
 
 /// kMostLanes rows of `s` from `first` on as splats past the last of `to`, but for those too near.
-HWY_INLINE NearSegments splat_rows(const ProjectedSegments& s, size_t first, const Viewpoint& from, float cell_size,
-                                   Splats& to) {
+HWY_INLINE NearSegments splat_rows(const Igloo& igloo, const ProjectedSegments& s, size_t first, const Viewpoint& from,
+                                   CellSplats& to) {
     const Floats d;
+    const float cell_size = igloo.cell_size();
     const float longest = longest_splat(cell_size), quartered = longest_quartered(cell_size);
     const float widest = widest_splat(cell_size);
     NearSegments near;
     for (size_t i = 0; i < kMostLanes; i += hn::Lanes(d)) {
         const SeenSegments v = look_at(s, first + i, from);
-        const FloatVec squared = squared_distance(v), length = v.length * v.length,
+        const FloatVec squared = v.middle.squared, length = v.length * v.length,
                        width = set(4.0f) * v.radius * v.radius;
         const FloatMask wide = width > set(widest * widest) * squared;
         const FloatMask is_near = hn::Or(wide, length > set(longest * longest) * squared);
@@ -93,7 +95,7 @@ HWY_INLINE NearSegments splat_rows(const ProjectedSegments& s, size_t first, con
         const FloatMask wide_quarter = width > set(0.2f * widest * widest) * squared;
         const FloatMask long_quarter = length > set(quartered * quartered) * squared;
         const FloatMask is_piece = hn::Or(wide, hn::And(is_near, hn::Or(wide_quarter, long_quarter)));
-        splat_segments(v, squared, is_near, to.size + i, to);
+        splat_segments(igloo, from, v, is_near, to.size + i, to);
         uint8_t bits[2][8] = {};
         hn::StoreMaskBits(d, hn::AndNot(is_piece, is_near), bits[0]);
         hn::StoreMaskBits(d, is_piece, bits[1]);
@@ -121,17 +123,12 @@ void draw_quarters(const Igloo& igloo, const Viewpoint& from, const HairOpacity&
     QuarteredSegments& q = scratch.quartered;
     if (q.size == 0) return;
     for (size_t i = q.size; i < kMostLanes; ++i) q.rows.length[i] = q.rows.radius[i] = 0;
-    Splats& splats = scratch.splats;
+    CellSplats& splats = scratch.segment_splats;
     for (const float place : {-0.75f, -0.25f, 0.25f, 0.75f}) {  // of the middle of a quarter, in halves of the segment
-        if (!splats.has_room(kMostLanes)) add_splats(igloo, from, opacity, splats, to);
+        if (!splats.has_room(kMostLanes)) add_to_cells(opacity, splats, to);
         for (size_t i = 0; i < kMostLanes; i += hn::Lanes(d)) {
-            SeenSegments v = look_at(q.rows, i, from);
-            const FloatVec along = set(0.5f * place) * v.length;
-            v.x = v.x + along * v.ux, v.y = v.y + along * v.uy, v.z = v.z + along * v.uz;
-            v.length = set(0.25f) * v.length;
-            v.radius = v.radius + set(place) * hn::Load(d, &q.rows.taper[i]);
             const size_t at = splats.size + i;
-            splat_segments(v, squared_distance(v), hn::FirstN(d, 0), at, splats);
+            splat_segments(igloo, from, look_at(q.rows, i, from, place, 0.25f), hn::FirstN(d, 0), at, splats);
             const IntVec first_row = hn::Load(di, &q.kind[i]) * hn::Set(di, kOpacityRows);
             hn::StoreU(hn::LoadU(di, &splats.opacity_row[at]) + first_row, di, &splats.opacity_row[at]);
         }
@@ -155,10 +152,10 @@ template <class Depth, class Original>
 HWY_INLINE void project_rows(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
                              const ProjectedSegments& s, size_t first, size_t count, const Original& original_of,
                              ProjectionScratch& scratch, CellDepths<Depth>& to) {
-    Splats& splats = scratch.splats;
-    if (!splats.has_room(kMostLanes)) add_splats(in.igloo, from, in.opacity, splats, to);
+    CellSplats& splats = scratch.segment_splats;
+    if (!splats.has_room(kMostLanes)) add_to_cells(in.opacity, splats, to);
     const size_t at = splats.size;
-    const NearSegments near = splat_rows(s, first, from, in.igloo.cell_size(), splats);
+    const NearSegments near = splat_rows(in.igloo, s, first, from, splats);
     splats.size += count;
     if (!in.opacity.kind.empty())
         for (size_t i = 0; i < count; ++i)
@@ -180,6 +177,14 @@ HWY_INLINE void project_rows(const ProjectionInput& in, const Viewpoint& from, c
     }
 }
 
+/// Draws what is left of a point's segments.
+template <class Depth>
+void finish_rows(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch, CellDepths<Depth>& to) {
+    draw_quarters(in.igloo, from, in.opacity, scratch, to);
+    add_to_cells(in.opacity, scratch.segment_splats, to);
+    finish_pieces(in.igloo, from, in.opacity, scratch, to);
+}
+
 template <class Depth>
 void project_segments(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
                       ProjectionScratch& scratch, CellDepths<Depth>& to) {
@@ -191,8 +196,7 @@ void project_segments(const ProjectionInput& in, const Viewpoint& from, const Un
         };
         project_rows(in, from, unseen, s, i, kMostLanes, original_of, scratch, to);
     }
-    draw_quarters(in.igloo, from, in.opacity, scratch, to);
-    finish_pieces(in.igloo, from, in.opacity, scratch, to);
+    finish_rows(in, from, scratch, to);
 }
 
 /// Those of scratch.chosen, as wide as their weights say.
@@ -215,8 +219,7 @@ void project_chosen(const ProjectionInput& in, const Viewpoint& from, const Unse
         project_rows(
             in, from, unseen, block, 0, count, [&](size_t lane) { return chosen[i + lane].segment; }, scratch, to);
     }
-    draw_quarters(in.igloo, from, in.opacity, scratch, to);
-    finish_pieces(in.igloo, from, in.opacity, scratch, to);
+    finish_rows(in, from, scratch, to);
 }
 
 }  // namespace HWY_NAMESPACE

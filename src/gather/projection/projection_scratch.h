@@ -39,7 +39,8 @@ struct ProjectionScratch {
     std::vector<ChosenSegment> chosen;  // by layers of distance
     ProjectedSegments chosen_rows = make_rows(ProjectedSegments::kStreams);
     QuarteredSegments quartered;
-    Splats splats, cube_splats;
+    CellSplats segment_splats;
+    Splats splats, cube_splats;  // of arcs, of cubes
     PieceList pieces;
     Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
     std::vector<ArcRow> wide_arcs;  // of the point, in the order of the pieces

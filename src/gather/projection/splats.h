@@ -8,27 +8,30 @@
 
 namespace tress {
 
-/// Rows belong together by index. Writers store whole vectors: up to kPadding rows past `size` may hold anything.
-struct Splats {
+/// In cells that are found. Rows belong together by index. Writers store whole vectors: up to kPadding rows past `size`
+/// may hold anything.
+struct CellSplats {
     static constexpr size_t kCapacity = 2048, kPadding = 64;
 
-    AlignedArray<float> x, y, z;        // from the point towards the piece, of any length but 0
-    AlignedArray<float> solid_angle;    // steradian
-    AlignedArray<int32_t> opacity_row;  // of HairOpacity
-    AlignedArray<int32_t> cell;         // as found from the direction
-    AlignedArray<float> coverage;       // of the cell's solid angle
+    AlignedArray<int32_t> cell, opacity_row;  // opacity_row: of HairOpacity
+    AlignedArray<float> coverage;             // of the cell's solid angle
     size_t size = 0;
+
+    CellSplats() : cell(kCapacity + kPadding), opacity_row(kCapacity + kPadding), coverage(kCapacity + kPadding) {}
+
+    bool has_room(size_t rows) const { return size + rows <= kCapacity; }
+};
+
+/// Those whose cells are to be found from their directions.
+struct Splats : CellSplats {
+    AlignedArray<float> x, y, z;      // from the point towards the piece, of any length but 0
+    AlignedArray<float> solid_angle;  // steradian
 
     Splats()
         : x(kCapacity + kPadding),
           y(kCapacity + kPadding),
           z(kCapacity + kPadding),
-          solid_angle(kCapacity + kPadding),
-          opacity_row(kCapacity + kPadding),
-          cell(kCapacity + kPadding),
-          coverage(kCapacity + kPadding) {}
-
-    bool has_room(size_t rows) const { return size + rows <= kCapacity; }
+          solid_angle(kCapacity + kPadding) {}
 };
 
 }  // namespace tress
