@@ -16,15 +16,15 @@ inline constexpr double kSegmentSeconds = 0.72e-6;   // a segment put on a map, 
 inline constexpr double kFragmentSeconds = 0.27e-6;  // each texel that it touches
 
 // Type 2.
-inline constexpr double kPolygonRaySeconds = 1.3e-6;      // a ray from a polygon
-inline constexpr double kDirectionSeconds = 0.25e-6;      // a direction seen through its cell
-inline constexpr double kProjectedSegmentSeconds = 8e-9;  // a segment projected
-inline constexpr double kWalkSeconds = 117e-6;            // a walk of the tree: 256 cells, opening 3, and
-inline constexpr double kWalkSegments = 1.2e6;            // as many segments
-inline constexpr double kNearSeconds = 50e-6;             // the hair next to a point alone, and
-inline constexpr double kNearShare = 0.25;                // of the whole walk
-inline constexpr double kTreeSegmentSeconds = 1.5e-6;     // a segment put into the tree
-inline constexpr double kTrialSeconds = 1.5;              // finding the gap by rays
-inline constexpr double kProbeRaySeconds = 0.85e-6;       // a ray of a probe
+inline constexpr double kPolygonRaySeconds = 1.3e-6;        // a ray from a polygon
+inline constexpr double kDirectionSeconds = 0.25e-6;        // a direction seen through its cell
+inline constexpr double kProjectedSegmentSeconds = 5.6e-9;  // a segment projected
+inline constexpr double kWalkSeconds = 117e-6;              // a walk of the tree: 256 cells, opening 3, and
+inline constexpr double kWalkSegments = 1.2e6;              // as many segments
+inline constexpr double kNearSeconds = 50e-6;               // the hair next to a point alone, and
+inline constexpr double kNearShare = 0.25;                  // of the whole walk
+inline constexpr double kTreeSegmentSeconds = 1.5e-6;       // a segment put into the tree
+inline constexpr double kTrialSeconds = 1.5;                // finding the gap by rays
+inline constexpr double kProbeRaySeconds = 0.85e-6;         // a ray of a probe
 
 }  // namespace tress
