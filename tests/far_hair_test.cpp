@@ -11,12 +11,12 @@ using namespace tress::test;
 namespace {
 
 /// Segments of half the hair's size, which many cubes of the grid cut, and leaves larger and smaller than these.
-ProjectedHair long_hair(float leaf_side) {
+ProjectedHair long_hair(float leaf_side, const Attenuation& attenuation = gray_fiber()) {
     Options options = without_gap();
     options.projection.leaf = 4;
     options.projection.cube = leaf_side;
     options.projection.opening = 0.3f;  // down to the pieces
-    return projected(random_hair(1500, 1, 0.004f, 11), gray_fiber(), ProjectionDetail::tree, options);
+    return projected(random_hair(1500, 1, 0.004f, 11), attenuation, ProjectionDetail::tree, options);
 }
 
 ProbeCube cube_of(const ProjectedHair& hair, int across, const Vec3& place) {
@@ -73,6 +73,26 @@ TEST_CASE("seen from a corner, near hair and far hair together are all hair, and
                 CHECK(mean_difference(both, whole) < 0.01);
             }
         }
+}
+
+TEST_CASE("far hair that stops each colour by its own share is all hair with the near, in each colour") {
+    const ProjectedHair hair = long_hair(0.06f, even_fiber({0.2f, 1, 3}));
+    const ProbeCube cube = cube_of(hair, 8, Vec3(0.1f, -0.2f, 0.3f));
+    const Viewpoint from = at_corner(cube, 2);
+    const std::vector<Rgb> whole = seen(hair, from), both = through_near_and_far(hair, from, far_hair(hair, cube, 2));
+    REQUIRE(both.size() == whole.size());
+    DVec3 sum(0), off(0), difference(0);
+    for (size_t i = 0; i < whole.size(); ++i) {
+        sum += DVec3(whole[i]), off += DVec3(both[i]) - DVec3(whole[i]);
+        difference += abs(DVec3(both[i]) - DVec3(whole[i])) / double(whole.size());
+    }
+    CHECK(sum.x > 1.1 * sum.y);
+    CHECK(sum.y > 1.1 * sum.z);
+    for (int c = 0; c < 3; ++c) {
+        CAPTURE(c);
+        CHECK(std::abs(off[c]) < 0.002 * sum[c]);
+        CHECK(difference[c] < 0.01);
+    }
 }
 
 // Depths of far hair alone, against the formula: with the hair of the near box cut away by hand.

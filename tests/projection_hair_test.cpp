@@ -79,7 +79,7 @@ TEST_CASE("leaving out one of two fibers leaves what the other alone does") {
         options.projection.opening = 0.1f;  // all pieces are drawn, so that no cube hides which they are
         const ProjectedHair both = projected(strands_of({first, second}), gray_fiber(), detail, options);
         const ProjectedHair alone = projected(strands_of({second}), gray_fiber(), detail, options);
-        const std::vector<Rgb> cells = seen(both, from, {0, 0});
+        const std::vector<Rgb> cells = seen(both, from, {0, 0, {}});
         CHECK(mean_of(cells) < 0.99);
         // Its pieces are cut elsewhere by another tree: parts of it are placed up to half a step elsewhere.
         CHECK(mean_difference(cells, seen(alone, from)) < (detail == ProjectionDetail::all ? 1e-6 : 5e-3));
@@ -87,28 +87,60 @@ TEST_CASE("leaving out one of two fibers leaves what the other alone does") {
     }
 }
 
-// Steps of a hundred-and-twenty-eighth of what is absorbed, within the error of a gray segment.
+// Steps of a hundred-and-twenty-eighth of what is absorbed, within the error of a gray segment. From next to them,
+// where they are arcs, from where four splats stand for each, and from where one does.
 TEST_CASE("fibers of different colours let their own colours through") {
-    const StrandSet two = strands_of(
-        {{{1, -0.6f, 0.3f}, {1, 0.7f, 0.4f}, 0.02f, 0.02f}, {{-1, 0.02f, 1}, {1, 0.03f, 1.1f}, 0.02f, 0.02f}});
     const Attenuation colors = colored({{0.05f, 0.5f, 5}, {5, 0.5f, 0.05f}});
     const Viewpoint from{Vec3(0), kUpright, Dome::sphere};
-    for (const ProjectionDetail detail : kDetails) {
-        CAPTURE(int(detail));
-        const ProjectedHair hair = projected(two, colors, detail, without_gap());
-        CHECK(!hair.projection.opacity.gray);
-        const std::vector<Rgb> cells = seen(hair, from), truth = expected(hair, from, 32);
-        CHECK(all_within_unit(cells));
-        double error[3] = {};
-        int reddish = 0, bluish = 0;
-        for (size_t i = 0; i < cells.size(); ++i) {
-            for (int c = 0; c < 3; ++c) error[c] += std::abs(double(cells[i][c] - truth[i][c])) / double(cells.size());
-            reddish += cells[i].x > cells[i].z + 0.02f, bluish += cells[i].z > cells[i].x + 0.02f;
+    for (const ProjectionDetail detail : kDetails)
+        for (const float far : {1.0f, 4.0f, 20.0f}) {
+            CAPTURE(int(detail));
+            CAPTURE(far);
+            const float r = 0.02f * far;
+            const StrandSet two = strands_of({{{far, -0.6f, 0.3f * far}, {far, 0.7f, 0.3f * far + 0.1f}, r, r},
+                                              {{-1, 0.02f, far}, {1, 0.03f, far + 0.1f}, r, r}});
+            const ProjectedHair hair = projected(two, colors, detail, without_gap());
+            CHECK(!hair.projection.opacity.gray);
+            const std::vector<Rgb> cells = seen(hair, from), truth = expected(hair, from, 32);
+            CHECK(all_within_unit(cells));
+            double error[3] = {};
+            int reddish = 0, bluish = 0;
+            for (size_t i = 0; i < cells.size(); ++i) {
+                for (int c = 0; c < 3; ++c)
+                    error[c] += std::abs(double(cells[i][c] - truth[i][c])) / double(cells.size());
+                reddish += cells[i].x > cells[i].z + 0.02f, bluish += cells[i].z > cells[i].x + 0.02f;
+            }
+            for (const double e : error) CHECK(e < 0.01);
+            CHECK(reddish > (far == 1 ? 5 : 0));
+            CHECK(bluish > (far == 1 ? 5 : 0));
         }
-        for (const double e : error) CHECK(e < 0.01);
-        CHECK(reddish > 5);
-        CHECK(bluish > 5);
-    }
+}
+
+TEST_CASE("hair behind what polygons show is not in sight, thin or wide, and hides the sky as ever") {
+    for (const ProjectionDetail detail : kDetails)
+        for (const float radius : {0.002f, 0.2f}) {
+            CAPTURE(int(detail));
+            CAPTURE(radius);
+            const StrandSet strands = strands_of({{{1, -0.6f, 0.3f}, {1, 0.7f, 0.4f}, radius, radius},
+                                                  {{-1, 0.02f, 1}, {1, 0.03f, 1.1f}, radius, radius}});
+            const ProjectedHair hair = projected(strands, gray_fiber(), detail, without_gap());
+            Viewpoint from{Vec3(0), random_frame(12), Dome::sphere};
+            const std::vector<Rgb> open = seen(hair, from);
+            CHECK(mean_of(open) < 0.9995);
+            for (const float polygon : {0.4f, 3.0f}) {  // before the hair, and behind it
+                CAPTURE(polygon);
+                const std::vector<float> sight(open.size(), polygon * polygon);
+                from.sight = sight;
+                ProjectionScratch scratch;
+                CellLight light;
+                project(hair.projection, hair.segments(), from, {}, Isa::automatic, scratch, light);
+                std::vector<Rgb> before;
+                for (uint32_t cell = 0; cell < light.cells; ++cell)
+                    before.push_back(light.transmittance_in_sight(cell));
+                CHECK(mean_difference(cells_of(light), open) < 1e-6);
+                CHECK(mean_difference(before, polygon < 1 ? std::vector<Rgb>(open.size(), Rgb(1)) : open) < 1e-6);
+            }
+        }
 }
 
 TEST_CASE("coloured hair whose colours are all gray is projected as gray hair is") {
