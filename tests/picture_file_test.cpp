@@ -119,6 +119,22 @@ TEST_CASE("an .exr file that is text, cut or absurd is refused in one line") {
     CHECK(contains(message_of([&] { read_exr(folder.path()); }), "a directory"));
 }
 
+TEST_CASE("an .exr file that says its channels twice is refused: the library would make room for both") {
+    const Folder folder;
+    write_exr(folder.file("a.exr"), sample_picture());
+    std::string bytes = read_bytes(folder.file("a.exr"));
+    const size_t at = bytes.find(std::string("channels\0chlist\0", 16));
+    REQUIRE(at != std::string::npos);
+    uint32_t length = 0;
+    std::memcpy(&length, &bytes[at + 16], sizeof length);
+    bytes.insert(at, bytes.substr(at, 20 + length));
+    write_bytes(folder.file("bad.exr"), bytes);
+    const std::string message = message_of([&] { read_exr(folder.file("bad.exr")); });
+    CAPTURE(message);
+    CHECK(is_one_line(message));
+    CHECK(contains(message, "expected each once"));
+}
+
 TEST_CASE("real environment maps decode") {
     for (const char* name : {"env/studio.exr", "env/venice.exr", "env/sky.exr"}) {
         const auto path = real_file(name);

@@ -2,6 +2,8 @@
 // Layout after "OpenEXR File Layout" (openexr.com): magic, version, attributes up to an empty name, offsets, pixels.
 #include "io/exr_header.h"
 
+#include <set>
+
 #include "core/error.h"
 #include "io/byte_reader.h"
 
@@ -143,7 +145,10 @@ void check_exr_header(const std::string& path) {
         in.fail("a file of version or kind " + std::to_string(version) + ", expected one flat picture of version 2");
 
     Pixels pixels;
+    std::set<std::string> names;
     for (std::string name = read_name(in); !name.empty(); name = read_name(in)) {
+        // The library adds up what is said of channels more than once.
+        if (!names.insert(name).second) in.fail("an attribute that there has been already, expected each once");
         const std::string type = read_name(in);
         const uint32_t bytes = in.read<uint32_t>("length of an attribute");
         read_attribute(in, name, type, bytes, pixels);
