@@ -99,6 +99,7 @@ TEST_CASE("what gaps between cells are worth is found apart at hair and at polyg
     const HairProjection alone = projection_of(hair_before_wall(true, Rgb(1)), type2_by(GatherMethod::projection));
     CHECK(alone.at_hair.error.points > 0);
     CHECK(alone.at_polygons.error.points == 0);  // none among the hair
+    CHECK(alone.at_polygons.share == alone.at_hair.share);
 }
 
 TEST_CASE("pictures by projection do not depend on threads or instruction sets") {

@@ -116,6 +116,21 @@ TEST_CASE("fibers of different colours let their own colours through") {
         }
 }
 
+TEST_CASE("less than no gap takes light away, but never more than there is") {
+    const StrandSet strands = random_hair(500, 0.5f, 0.02f, 13);
+    const Viewpoint from{Vec3(0.2f), random_frame(14), Dome::sphere};
+    for (const ProjectionDetail detail : kDetails) {
+        CAPTURE(int(detail));
+        ProjectedHair hair = projected(strands, gray_fiber(), detail, without_gap());
+        const std::vector<Rgb> without = seen(hair, from);
+        hair.projection.at_hair.share = -1;
+        const std::vector<Rgb> less = seen(hair, from);
+        CHECK(all_within_unit(less));
+        for (size_t i = 0; i < less.size(); ++i) CHECK(less[i].x <= without[i].x);
+        CHECK(mean_of(less) < mean_of(without) - 0.001);
+    }
+}
+
 TEST_CASE("hair behind what polygons show is not in sight, thin or wide, and hides the sky as ever") {
     for (const ProjectionDetail detail : kDetails)
         for (const float radius : {0.002f, 0.2f}) {

@@ -33,7 +33,8 @@ struct SeenSegments {
     FloatVec ux, uy, uz, length, radius;
 };
 
-/// Those from row `i` on; their parts of a `share` of their length about a `place` on them, from -1 to 1.
+/// Those from row `i` on, whole; where `place` is not 0, their parts of a `share` of their length about this place on
+/// them, from -1 to 1.
 HWY_INLINE SeenSegments look_at(const ProjectedSegments& s, size_t i, const Viewpoint& from, float place = 0,
                                 float share = 1) {
     const Floats d;

@@ -80,6 +80,7 @@ void calibrate(const PreparedScene& prepared, const Options& options, std::span<
 void calibrate_gap(PreparedScene& prepared, const Options& options, const LightTrials& trials) {
     calibrate(prepared, options, trials.at_hair, prepared.projection.at_hair);
     calibrate(prepared, options, trials.at_polygons, prepared.projection.at_polygons);
+    if (trials.at_polygons.empty()) prepared.projection.at_polygons.share = prepared.projection.at_hair.share;
 }
 
 }  // namespace tress
