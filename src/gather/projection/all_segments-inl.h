@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every segment projected: one splat for those that are small from the point, four for those that are not much longer,
-// exact arcs for the rest.
+// Every segment projected: one splat for those that are small from the point, two or four for those that are not much
+// longer, exact arcs for the rest.
 #if defined(TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H
 #undef TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H
@@ -12,20 +12,26 @@
 
 #include "gather/projection/arcs-inl.h"
 #include "gather/projection/projection_kernels.h"
+#include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-/// One splat stands for a segment of at most this length, in distances; longer ones than a cell are cut up.
-HWY_INLINE float longest_splat(float cell_size) { return std::min(cell_size, 0.25f); }
+/// What splats stand for, in distances from the point. A point's own fiber, which reaches kOwnStrandRadii along the
+/// strand, is longer or wider from it in any case, so that leaving it out is left to what is not one splat.
+struct SplatBounds {
+    float longest;    // segment that is one splat; longer ones than a cell are cut up
+    float halved;     // longest of two splats
+    float quartered;  // longest of four, whose quarters are nearly as far away as its middle
+    float widest;
 
-/// Four splats stand for one of at most this length, whose quarters are nearly as far away as its middle.
-HWY_INLINE float longest_quartered(float cell_size) { return std::min(4 * longest_splat(cell_size), 0.5f); }
-
-/// No splat stands for one that looks wider. A point's own fiber, which reaches kOwnStrandRadii along the strand, is
-/// longer or wider than this from it in any case, so that leaving it out is left to what is not one splat.
-HWY_INLINE float widest_splat(float cell_size) { return std::min(kWideShare * cell_size, 0.1f); }
+    explicit SplatBounds(float cell_size)
+        : longest(std::min(cell_size, 0.25f)),
+          halved(std::min(2 * longest, 0.35f)),
+          quartered(std::min(4 * longest, 0.5f)),
+          widest(std::min(kWideShare * cell_size, 0.1f)) {}
+};
 
 /// A vector of segments: middles relative to the point, tangents.
 struct SeenSegments {
@@ -73,41 +79,43 @@ HWY_INLINE void splat_segments(const Igloo& igloo, const Viewpoint& from, const 
     hn::StoreU(hn::ConvertTo(di, row), di, &to.opacity_row[at]);
 }
 
-/// Segments too near for one splat, by a bit each: those of which four parts are splats, and those that are not.
+/// Segments too near for one splat, by a bit each: those of which two or four parts are splats, and those that are not.
 struct NearSegments {
-    uint32_t quartered = 0, pieces = 0;
+    uint32_t halved = 0, quartered = 0, pieces = 0;
 };
 
+HWY_INLINE uint32_t bits_of(FloatMask mask) {
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Floats(), mask, bytes);
+    return bytes[0] | uint32_t(bytes[1]) << 8;
+}
+
 /// kMostLanes rows of `s` from `first` on as splats past the last of `to`, but for those too near.
-HWY_INLINE NearSegments splat_rows(const Igloo& igloo, const ProjectedSegments& s, size_t first, const Viewpoint& from,
-                                   CellSplats& to) {
+HWY_INLINE NearSegments splat_rows(const Igloo& igloo, const SplatBounds& bounds, const ProjectedSegments& s,
+                                   size_t first, const Viewpoint& from, CellSplats& to) {
     const Floats d;
-    const float cell_size = igloo.cell_size();
-    const float longest = longest_splat(cell_size), quartered = longest_quartered(cell_size);
-    const float widest = widest_splat(cell_size);
     NearSegments near;
     for (size_t i = 0; i < kMostLanes; i += hn::Lanes(d)) {
         const SeenSegments v = look_at(s, first + i, from);
         const FloatVec squared = v.middle.squared, length = v.length * v.length,
                        width = set(4.0f) * v.radius * v.radius;
-        const FloatMask wide = width > set(widest * widest) * squared;
-        const FloatMask is_near = hn::Or(wide, length > set(longest * longest) * squared);
-        // A quarter may be a fifth nearer than the middle, and three quarters wider by its taper.
-        const FloatMask wide_quarter = width > set(0.2f * widest * widest) * squared;
-        const FloatMask long_quarter = length > set(quartered * quartered) * squared;
-        const FloatMask is_piece = hn::Or(wide, hn::And(is_near, hn::Or(wide_quarter, long_quarter)));
+        const auto longer = [&](float than) { return length > set(than * than) * squared; };
+        const FloatMask wide = width > set(square(bounds.widest)) * squared;
+        const FloatMask is_near = hn::Or(wide, longer(bounds.longest));
+        // A part may be a fifth nearer than the middle, and three quarters wider by its taper.
+        const FloatMask wide_part = width > set(0.2f * square(bounds.widest)) * squared;
+        const FloatMask is_piece = hn::Or(wide, hn::And(is_near, hn::Or(wide_part, longer(bounds.quartered))));
+        const FloatMask is_parted = hn::AndNot(is_piece, is_near), is_long = longer(bounds.halved);
         splat_segments(igloo, from, v, is_near, to.size + i, to);
-        uint8_t bits[2][8] = {};
-        hn::StoreMaskBits(d, hn::AndNot(is_piece, is_near), bits[0]);
-        hn::StoreMaskBits(d, is_piece, bits[1]);
-        near.quartered |= uint32_t(bits[0][0] | bits[0][1] << 8) << i;
-        near.pieces |= uint32_t(bits[1][0] | bits[1][1] << 8) << i;
+        near.halved |= bits_of(hn::AndNot(is_long, is_parted)) << i;
+        near.quartered |= bits_of(hn::And(is_long, is_parted)) << i;
+        near.pieces |= bits_of(is_piece) << i;
     }
     return near;
 }
 
-/// Row `i` of `s`, to be quartered.
-inline void add_row(const ProjectedSegments& s, size_t i, uint32_t kind, QuarteredSegments& to) {
+/// Row `i` of `s`.
+inline void add_row(const ProjectedSegments& s, size_t i, uint32_t kind, PartedSegments& to) {
     const size_t at = to.size++;
     to.rows.x[at] = s.x[i], to.rows.y[at] = s.y[i], to.rows.z[at] = s.z[i];
     to.rows.ux[at] = s.ux[i], to.rows.uy[at] = s.uy[i], to.rows.uz[at] = s.uz[i];
@@ -115,27 +123,37 @@ inline void add_row(const ProjectedSegments& s, size_t i, uint32_t kind, Quarter
     to.kind[at] = int32_t(kind);
 }
 
-/// Four splats for each of the segments, whose list is emptied.
-template <class Depth>
-void draw_quarters(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ProjectionScratch& scratch,
-                   CellDepths<Depth>& to) {
+/// A splat for each of kParts parts of the segments, whose list is emptied.
+template <int kParts, class Depth>
+void draw_parts(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, PartedSegments& segments,
+                CellSplats& splats, CellDepths<Depth>& to) {
     const Floats d;
     const Ints di;
-    QuarteredSegments& q = scratch.quartered;
-    if (q.size == 0) return;
-    for (size_t i = q.size; i < kMostLanes; ++i) q.rows.length[i] = q.rows.radius[i] = 0;
-    CellSplats& splats = scratch.segment_splats;
-    for (const float place : {-0.75f, -0.25f, 0.25f, 0.75f}) {  // of the middle of a quarter, in halves of the segment
+    if (segments.size == 0) return;
+    ProjectedSegments& rows = segments.rows;
+    for (size_t i = segments.size; i < kMostLanes; ++i) rows.length[i] = rows.radius[i] = 0;
+    for (int part = 0; part < kParts; ++part) {
+        const float place = float(2 * part + 1) / kParts - 1;  // of its middle, in halves of the segment
         if (!splats.has_room(kMostLanes)) add_to_cells(opacity, splats, to);
         for (size_t i = 0; i < kMostLanes; i += hn::Lanes(d)) {
             const size_t at = splats.size + i;
-            splat_segments(igloo, from, look_at(q.rows, i, from, place, 0.25f), hn::FirstN(d, 0), at, splats);
-            const IntVec first_row = hn::Load(di, &q.kind[i]) * hn::Set(di, kOpacityRows);
+            splat_segments(igloo, from, look_at(rows, i, from, place, 1.0f / kParts), hn::FirstN(d, 0), at, splats);
+            const IntVec first_row = hn::Load(di, &segments.kind[i]) * hn::Set(di, kOpacityRows);
             hn::StoreU(hn::LoadU(di, &splats.opacity_row[at]) + first_row, di, &splats.opacity_row[at]);
         }
         splats.size += kMostLanes;
     }
-    q.size = 0;
+    segments.size = 0;
+}
+
+/// The parts of the segments that are listed, once there are `at_least` of them.
+template <class Depth>
+void draw_all_parts(const ProjectionInput& in, const Viewpoint& from, size_t at_least, ProjectionScratch& scratch,
+                    CellDepths<Depth>& to) {
+    if (scratch.halved.size >= at_least)
+        draw_parts<2>(in.igloo, from, in.opacity, scratch.halved, scratch.segment_splats, to);
+    if (scratch.quartered.size >= at_least)
+        draw_parts<4>(in.igloo, from, in.opacity, scratch.quartered, scratch.segment_splats, to);
 }
 
 /// Row `i` of `s` as a piece to be drawn exactly.
@@ -150,24 +168,25 @@ inline void add_piece(const ProjectedSegments& s, const Viewpoint& from, size_t 
 /// same on every instruction set. original_of(i) is the scene's segment of row first + i; those from `count` on are
 /// padding.
 template <class Depth, class Original>
-HWY_INLINE void project_rows(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
-                             const ProjectedSegments& s, size_t first, size_t count, const Original& original_of,
-                             ProjectionScratch& scratch, CellDepths<Depth>& to) {
+HWY_INLINE void project_rows(const ProjectionInput& in, const SplatBounds& bounds, const Viewpoint& from,
+                             const Unseen& unseen, const ProjectedSegments& s, size_t first, size_t count,
+                             const Original& original_of, ProjectionScratch& scratch, CellDepths<Depth>& to) {
     CellSplats& splats = scratch.segment_splats;
     if (!splats.has_room(kMostLanes)) add_to_cells(in.opacity, splats, to);
     const size_t at = splats.size;
-    const NearSegments near = splat_rows(in.igloo, s, first, from, splats);
+    const NearSegments near = splat_rows(in.igloo, bounds, s, first, from, splats);
     splats.size += count;
     if (!in.opacity.kind.empty())
         for (size_t i = 0; i < count; ++i)
             splats.opacity_row[at + i] += int32_t(in.opacity.kind[original_of(i)]) * kOpacityRows;
     const uint32_t all = (1u << count) - 1;
-    for (uint32_t bits = near.quartered & all; bits != 0; bits &= bits - 1) {
+    for (uint32_t bits = (near.halved | near.quartered) & all; bits != 0; bits &= bits - 1) {
         const size_t i = size_t(std::countr_zero(bits));
         const uint32_t original = original_of(i);
         if (unseen.holds(original, in.segments.stands_for)) continue;
-        add_row(s, first + i, in.opacity.kind_of(original), scratch.quartered);
-        if (scratch.quartered.size == kMostLanes) draw_quarters(in.igloo, from, in.opacity, scratch, to);
+        PartedSegments& parted = near.halved >> i & 1 ? scratch.halved : scratch.quartered;
+        add_row(s, first + i, in.opacity.kind_of(original), parted);
+        if (parted.size == kMostLanes) draw_all_parts(in, from, kMostLanes, scratch, to);
     }
     for (uint32_t bits = near.pieces & all; bits != 0; bits &= bits - 1) {
         const size_t i = size_t(std::countr_zero(bits));
@@ -181,7 +200,7 @@ HWY_INLINE void project_rows(const ProjectionInput& in, const Viewpoint& from, c
 /// Draws what is left of a point's segments.
 template <class Depth>
 void finish_rows(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch, CellDepths<Depth>& to) {
-    draw_quarters(in.igloo, from, in.opacity, scratch, to);
+    draw_all_parts(in, from, 1, scratch, to);
     add_to_cells(in.opacity, scratch.segment_splats, to);
     finish_pieces(in.igloo, from, in.opacity, scratch, to);
 }
@@ -190,12 +209,17 @@ template <class Depth>
 void project_segments(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen,
                       ProjectionScratch& scratch, CellDepths<Depth>& to) {
     const ProjectedSegments& s = in.segments;
+    if (s.rows() == 0) return;
+    const SplatBounds bounds(in.igloo.cell_size());
+    constexpr size_t kAhead = 16 * kMostLanes;
+    const size_t last = s.rows() - 1;
     for (size_t i = 0; i < s.rows(); i += kMostLanes) {
         // Rows past the last segment have neither length nor radius; what is said of them does not count.
         const auto original_of = [&](size_t lane) {
             return s.original_of(std::min(s.segment_of(i + lane), s.segments - 1));
         };
-        project_rows(in, from, unseen, s, i, kMostLanes, original_of, scratch, to);
+        hwy::Prefetch(&s.taper[std::min(i + kAhead, last)]);  // near rows alone read it: cold in any cache
+        project_rows(in, bounds, from, unseen, s, i, kMostLanes, original_of, scratch, to);
     }
     finish_rows(in, from, scratch, to);
 }
@@ -207,6 +231,7 @@ void project_chosen(const ProjectionInput& in, const Viewpoint& from, const Unse
     const ProjectedSegments& all = in.segments;
     ProjectedSegments& block = scratch.chosen_rows;
     const std::vector<ChosenSegment>& chosen = scratch.chosen;
+    const SplatBounds bounds(in.igloo.cell_size());
     for (size_t i = 0; i < chosen.size(); i += kMostLanes) {
         const size_t count = std::min(kMostLanes, chosen.size() - i);
         for (size_t lane = 0; lane < count; ++lane) {
@@ -218,7 +243,8 @@ void project_chosen(const ProjectionInput& in, const Viewpoint& from, const Unse
             block.radius[lane] = weight * all.radius[row], block.taper[lane] = weight * all.taper[row];
         }
         project_rows(
-            in, from, unseen, block, 0, count, [&](size_t lane) { return chosen[i + lane].segment; }, scratch, to);
+            in, bounds, from, unseen, block, 0, count, [&](size_t lane) { return chosen[i + lane].segment; }, scratch,
+            to);
     }
     finish_rows(in, from, scratch, to);
 }

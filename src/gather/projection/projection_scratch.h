@@ -28,8 +28,8 @@ struct ChosenSegment {
     float weight;
 };
 
-/// Segments of which four parts are splats.
-struct QuarteredSegments {
+/// Segments of which parts are splats.
+struct PartedSegments {
     ProjectedSegments rows = make_rows(ProjectedSegments::kStreams);
     AlignedArray<int32_t> kind = AlignedArray<int32_t>(ProjectedSegments::kStreams);  // of HairOpacity
     size_t size = 0;
@@ -38,7 +38,7 @@ struct QuarteredSegments {
 struct ProjectionScratch {
     std::vector<ChosenSegment> chosen;  // by layers of distance
     ProjectedSegments chosen_rows = make_rows(ProjectedSegments::kStreams);
-    QuarteredSegments quartered;
+    PartedSegments halved, quartered;
     CellSplats segment_splats;
     Splats splats, cube_splats;  // of arcs, of cubes
     PieceList pieces;
