@@ -88,7 +88,7 @@ TEST_CASE("leaving out one of two fibers leaves what the other alone does") {
 }
 
 // Steps of a hundred-and-twenty-eighth of what is absorbed, within the error of a gray segment. From next to them,
-// where they are arcs, from where four splats stand for each, and from where one does.
+// where they are arcs, from where two splats stand for one and four for the other, and from where one does for each.
 TEST_CASE("fibers of different colours let their own colours through") {
     const Attenuation colors = colored({{0.05f, 0.5f, 5}, {5, 0.5f, 0.05f}});
     const Viewpoint from{Vec3(0), kUpright, Dome::sphere};
@@ -96,7 +96,7 @@ TEST_CASE("fibers of different colours let their own colours through") {
         for (const float far : {1.0f, 4.0f, 20.0f}) {
             CAPTURE(int(detail));
             CAPTURE(far);
-            const float r = 0.02f * far;
+            const float r = 0.01f * far;
             const StrandSet two = strands_of({{{far, -0.6f, 0.3f * far}, {far, 0.7f, 0.3f * far + 0.1f}, r, r},
                                               {{-1, 0.02f, far}, {1, 0.03f, far + 0.1f}, r, r}});
             const ProjectedHair hair = projected(two, colors, detail, without_gap());
