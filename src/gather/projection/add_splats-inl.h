@@ -78,7 +78,8 @@ HWY_INLINE void find_cells(const Igloo& igloo, const Viewpoint& from, const Seen
     const FloatVec x = dot3(set(f.x.x), set(f.x.y), set(f.x.z), seen.x, seen.y, seen.z) * seen.inverse;
     const FloatVec y = dot3(set(f.y.x), set(f.y.y), set(f.y.z), seen.x, seen.y, seen.z) * seen.inverse;
     const FloatVec z = dot3(set(f.z.x), set(f.z.y), set(f.z.z), seen.x, seen.y, seen.z) * seen.inverse;
-    FloatVec covered = solid_angle * set(float(igloo.cells) * (0.5f / kPi));  // no division: once a vector
+    FloatVec covered =
+        solid_angle * set(float(igloo.cells) * (0.5f / kPi));  // in cells; a division here is one a vector
     IntVec cell = cells_of(igloo, x, y, clip ? hn::Max(z, zero) : z);
     if (clip) covered = hn::IfThenElseZero(z >= zero, covered);
     if (!from.sight.empty()) {

@@ -18,8 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-/// What splats stand for, in distances from the point. A point's own fiber, which reaches kOwnStrandRadii along the
-/// strand, is longer or wider from it in any case, so that leaving it out is left to what is not one splat.
+/// The largest segments that splats stand for, in distances from the point. A point's own fiber, which reaches
+/// kOwnStrandRadii along the strand, is longer or wider from it in any case, so that leaving it out is left to what is
+/// not one splat.
 struct SplatBounds {
     float longest;    // segment that is one splat; longer ones than a cell are cut up
     float halved;     // longest of two splats
@@ -84,12 +85,6 @@ struct NearSegments {
     uint32_t halved = 0, quartered = 0, pieces = 0;
 };
 
-HWY_INLINE uint32_t bits_of(FloatMask mask) {
-    uint8_t bytes[8] = {};
-    hn::StoreMaskBits(Floats(), mask, bytes);
-    return bytes[0] | uint32_t(bytes[1]) << 8;
-}
-
 /// kMostLanes rows of `s` from `first` on as splats past the last of `to`, but for those too near.
 HWY_INLINE NearSegments splat_rows(const Igloo& igloo, const SplatBounds& bounds, const ProjectedSegments& s,
                                    size_t first, const Viewpoint& from, CellSplats& to) {
@@ -146,10 +141,10 @@ void draw_parts(const Igloo& igloo, const Viewpoint& from, const HairOpacity& op
     segments.size = 0;
 }
 
-/// The parts of the segments that are listed, once there are `at_least` of them.
+/// Draws and empties the lists of segments in parts, those that have `at_least` so many.
 template <class Depth>
-void draw_all_parts(const ProjectionInput& in, const Viewpoint& from, size_t at_least, ProjectionScratch& scratch,
-                    CellDepths<Depth>& to) {
+void draw_parted(const ProjectionInput& in, const Viewpoint& from, size_t at_least, ProjectionScratch& scratch,
+                 CellDepths<Depth>& to) {
     if (scratch.halved.size >= at_least)
         draw_parts<2>(in.igloo, from, in.opacity, scratch.halved, scratch.segment_splats, to);
     if (scratch.quartered.size >= at_least)
@@ -186,7 +181,7 @@ HWY_INLINE void project_rows(const ProjectionInput& in, const SplatBounds& bound
         if (unseen.holds(original, in.segments.stands_for)) continue;
         PartedSegments& parted = near.halved >> i & 1 ? scratch.halved : scratch.quartered;
         add_row(s, first + i, in.opacity.kind_of(original), parted);
-        if (parted.size == kMostLanes) draw_all_parts(in, from, kMostLanes, scratch, to);
+        if (parted.size == kMostLanes) draw_parted(in, from, kMostLanes, scratch, to);
     }
     for (uint32_t bits = near.pieces & all; bits != 0; bits &= bits - 1) {
         const size_t i = size_t(std::countr_zero(bits));
@@ -200,7 +195,7 @@ HWY_INLINE void project_rows(const ProjectionInput& in, const SplatBounds& bound
 /// Draws what is left of a point's segments.
 template <class Depth>
 void finish_rows(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch, CellDepths<Depth>& to) {
-    draw_all_parts(in, from, 1, scratch, to);
+    draw_parted(in, from, 1, scratch, to);
     add_to_cells(in.opacity, scratch.segment_splats, to);
     finish_pieces(in.igloo, from, in.opacity, scratch, to);
 }

@@ -9,6 +9,7 @@
 #endif
 
 #include <cstddef>
+#include <cstdint>
 
 #include "gather/projection/polynomials.h"
 #include "hwy/highway.h"
@@ -27,6 +28,13 @@ using IntVec = hn::Vec<Ints>;
 using FloatMask = hn::Mask<Floats>;
 
 HWY_INLINE FloatVec set(float value) { return hn::Set(Floats(), value); }
+
+/// A bit a lane, the first lane's the lowest.
+HWY_INLINE uint32_t bits_of(FloatMask mask) {
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Floats(), mask, bytes);
+    return bytes[0] | uint32_t(bytes[1]) << 8;
+}
 
 /// c[0] + c[1] x + ...
 template <size_t kTerms>

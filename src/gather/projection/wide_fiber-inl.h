@@ -116,12 +116,9 @@ template <class OnCell>
 HWY_INLINE void for_cells_near(const Igloo& igloo, size_t cells, const WidePiece& piece, const OnCell& on_cell) {
     const Floats d;
     for (size_t first = 0; first < cells; first += hn::Lanes(d)) {
-        uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d,
-                          near_piece(piece, hn::LoadU(d, &igloo.center_x[first]), hn::LoadU(d, &igloo.center_y[first]),
-                                     hn::LoadU(d, &igloo.center_z[first])),
-                          bytes);
-        for (uint32_t bits = bytes[0] | uint32_t(bytes[1]) << 8; bits != 0; bits &= bits - 1) {
+        const FloatMask near = near_piece(piece, hn::LoadU(d, &igloo.center_x[first]),
+                                          hn::LoadU(d, &igloo.center_y[first]), hn::LoadU(d, &igloo.center_z[first]));
+        for (uint32_t bits = bits_of(near); bits != 0; bits &= bits - 1) {
             const size_t cell = first + size_t(std::countr_zero(bits));
             if (cell < cells) on_cell(cell);
         }
