@@ -90,16 +90,16 @@ TEST_CASE("what gaps between cells are worth is found apart at hair and at polyg
         for (const Dome dome : {Dome::sphere, Dome::hemisphere}) {
             CAPTURE(int(dome));
             REQUIRE(found.gap(dome).error.points > 0);
-            CHECK(without.gap(dome).share == 0);
+            CHECK(without.gap(dome).shares.gap == 0);
             // By one step of the secant: what is not linear in the gap is left.
             CHECK(std::abs(found.gap(dome).error.bias) < 0.1 * std::abs(without.gap(dome).error.bias));
         }
-        CHECK(found.at_hair.share != found.at_polygons.share);
+        CHECK(found.at_hair.shares.gap != found.at_polygons.shares.gap);
     }
     const HairProjection alone = projection_of(hair_before_wall(true, Rgb(1)), type2_by(GatherMethod::projection));
     CHECK(alone.at_hair.error.points > 0);
     CHECK(alone.at_polygons.error.points == 0);  // none among the hair
-    CHECK(alone.at_polygons.share == alone.at_hair.share);
+    CHECK(alone.at_polygons.shares.gap == alone.at_hair.shares.gap);
 }
 
 TEST_CASE("pictures by projection do not depend on threads or instruction sets") {

@@ -176,10 +176,10 @@ void measure(const SeenPoints& seen, Options options, const std::string& row, Pr
         times.push_back(seconds() - from);
         found.push_back(by_cells(projection.igloo, truth.from[i], light));
     }
+    const GapShares& gaps = projection.gap(truth.from[0].dome).shares;
     const double sum = std::accumulate(times.begin(), times.end(), 0.0);
-    std::printf("%-60s build %5.2f s %7.1f MB  gap %.2f %9.1f us a point", row.c_str(), built - start,
-                double(bytes(projection)) / 1e6, double(projection.gap(truth.from[0].dome).share),
-                1e6 * sum / double(n));
+    std::printf("%-60s build %5.2f s %7.1f MB  gap %.2f - %.2f %9.1f us a point", row.c_str(), built - start,
+                double(bytes(projection)) / 1e6, double(gaps.gap), double(gaps.scatter), 1e6 * sum / double(n));
     if (detail == ProjectionDetail::all)
         std::printf(" (%.2f ns a segment)", 1e9 * sum / double(n) / double(prepared.segments.size()));
     print_errors(found, truth.e);

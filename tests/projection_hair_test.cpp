@@ -123,12 +123,44 @@ TEST_CASE("less than no gap takes light away, but never more than there is") {
         CAPTURE(int(detail));
         ProjectedHair hair = projected(strands, gray_fiber(), detail, without_gap());
         const std::vector<Rgb> without = seen(hair, from);
-        hair.projection.at_hair.share = -1;
+        hair.projection.at_hair.shares.gap = -1;
         const std::vector<Rgb> less = seen(hair, from);
         CHECK(all_within_unit(less));
         for (size_t i = 0; i < less.size(); ++i) CHECK(less[i].x <= without[i].x);
         CHECK(mean_of(less) < mean_of(without) - 0.001);
     }
+}
+
+TEST_CASE("shares of the gap to neighbours are added to each cell, and of the scatter about them taken off") {
+    const StrandSet strands = random_hair(500, 0.5f, 0.02f, 13);
+    const Vec3 at(0.2f);
+    for (const Dome dome : {Dome::sphere, Dome::hemisphere})
+        for (const GapShares& shares : {GapShares{1, 0}, GapShares{0.3f, 1}, GapShares{1.5f, 0.5f}}) {
+            CAPTURE(int(dome));
+            CAPTURE(shares.scatter);
+            const Viewpoint from{at, random_frame(14), dome};
+            ProjectedHair hair = projected(strands, gray_fiber(), ProjectionDetail::all, without_gap());
+            const std::vector<Rgb> without = seen(hair, from);
+            hair.projection.at_hair.shares = hair.projection.at_polygons.shares = shares;
+            const std::vector<Rgb> with = seen(hair, from);
+            const Igloo& igloo = hair.projection.igloo;
+            double largest = 0;
+            for (size_t i = 0; i < with.size(); ++i) {
+                const auto beside = [&](size_t side) {
+                    const auto other = size_t(igloo.neighbor[side * 2 * igloo.cells + i]);
+                    return double(without[other < with.size() ? other : i].x);
+                };
+                const double t = double(without[i].x), root = std::sqrt(t);
+                double gap = 0, scatter = 0;
+                for (size_t side = 0; side < 4; ++side)
+                    gap += ((t + beside(side)) / 2 - std::sqrt(t * beside(side))) / 4;
+                for (const size_t side : {0, 2})
+                    scatter += std::pow((std::sqrt(beside(side)) + std::sqrt(beside(side + 1))) / 2 - root, 2);
+                const double expected = t + double(shares.gap) * gap - double(shares.scatter) * scatter;
+                largest = std::max(largest, std::abs(double(with[i].x) - glm::clamp(expected, 0.0, 1.0)));
+            }
+            CHECK(largest < 1e-5);  // roots of floats, and about ten roundings of numbers up to 4
+        }
 }
 
 TEST_CASE("hair behind what polygons show is not in sight, thin or wide, and hides the sky as ever") {

@@ -30,7 +30,11 @@ nlohmann::ordered_json to_json(const GatherCost& cost) {
 }
 
 nlohmann::ordered_json to_json(const CellGap& gap) {
-    return {{"gap", gap.share}, {"points", gap.error.points}, {"rms_error", gap.error.rms}, {"bias", gap.error.bias}};
+    return {{"gap", gap.shares.gap},
+            {"scatter", gap.shares.scatter},
+            {"points", gap.error.points},
+            {"rms_error", gap.error.rms},
+            {"bias", gap.error.bias}};
 }
 
 nlohmann::ordered_json to_json(const ProjectionReport& report) {

@@ -20,22 +20,25 @@ inline size_t padded(size_t cells) { return (cells + kMostLanes - 1) / kMostLane
 
 /// `root`: sqrt(T) of each cell, padded with anything. A neighbour beyond the last cell (below a hemisphere's horizon)
 /// is the cell itself: no gap.
-inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, float gap, float* light) {
+inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, const GapShares& shares, float* light) {
     const Floats d;
     const Ints di;
     const IntVec most = hn::Set(di, int32_t(cells) - 1);
     for (size_t i = 0; i < cells; i += hn::Lanes(d)) {
         const FloatVec own = hn::Load(d, root + i);
         const IntVec self = hn::Min(hn::Iota(di, int32_t(i)), most);
-        FloatVec sum = hn::Zero(d);
-        for (size_t side = 0; side < 4; ++side) {
-            const int32_t* beside = &igloo.neighbor[side * 2 * igloo.cells];
-            IntVec other = hn::LoadU(di, beside + i);
-            other = hn::IfThenElse(other > most, self, other);
-            const FloatVec difference = own - hn::GatherIndex(d, root, other);
-            sum = sum + difference * difference;
+        const auto step_to = [&](size_t side) {
+            const IntVec other = hn::LoadU(di, &igloo.neighbor[side * 2 * igloo.cells] + i);
+            return hn::GatherIndex(d, root, hn::IfThenElse(other > most, self, other)) - own;
+        };
+        FloatVec gap = hn::Zero(d), scatter = hn::Zero(d);  // 8 and 4 times
+        for (const size_t side : {0, 2}) {                  // and its opposite
+            const FloatVec there = step_to(side), back = step_to(side + 1), both = there + back;
+            gap = gap + there * there + back * back;
+            scatter = scatter + both * both;
         }
-        hn::Store(hn::Clamp(own * own + set(gap / 8) * sum, hn::Zero(d), set(1.0f)), d, light + i);
+        const FloatVec added = set(shares.gap / 8) * gap - set(shares.scatter / 4) * scatter;
+        hn::Store(hn::Clamp(own * own + added, hn::Zero(d), set(1.0f)), d, light + i);
     }
 }
 
@@ -48,8 +51,8 @@ float depth_in(const Depth& depth) {
 }
 
 template <int kChannel, class Depth>
-void find_channel(const Igloo& igloo, const CellDepths<Depth>& depths, size_t cells, bool in_sight, float gap,
-                  CellTransmittance& to) {
+void find_channel(const Igloo& igloo, const CellDepths<Depth>& depths, size_t cells, bool in_sight,
+                  const GapShares& shares, CellTransmittance& to) {
     const Floats d;
     HWY_ALIGN float root[2 * Igloo::kMostCells + kMostLanes];
     for (size_t i = 0; i < cells; ++i) root[i] = depth_in<kChannel>(depths.sum(i));
@@ -59,7 +62,7 @@ void find_channel(const Igloo& igloo, const CellDepths<Depth>& depths, size_t ce
     for (size_t i = 0; i < cells; i += hn::Lanes(d))
         hn::Store(exp_minus(set(0.5f) * hn::Load(d, root + i)), d, root + i);
     if (to.channel[kChannel].size() < padded(cells)) to.channel[kChannel] = AlignedArray<float>(padded(cells));
-    add_gaps(igloo, cells, root, gap, to.channel[kChannel].data());
+    add_gaps(igloo, cells, root, shares, to.channel[kChannel].data());
 }
 
 }  // namespace HWY_NAMESPACE

@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kCubesAcross = 256;  // of the smallest, over the hair
 
-ProjectionInput input_of(const HairProjection& p, Dome dome) {
-    return {p.igloo, p.opacity, p.segments, p.tree, p.options.opening, p.options.splats, p.gap(dome).share};
+ProjectionInput input_of(const HairProjection& p) {
+    return {p.igloo, p.opacity, p.segments, p.tree, p.options.opening, p.options.splats};
 }
 
 Rgb color(float depth) { return Rgb(depth); }
@@ -30,7 +30,7 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
     HairProjection p;
     p.options = options.projection;
     p.options.detail = detail;
-    p.at_hair.share = p.at_polygons.share = std::max(p.options.gap, 0.0f);
+    if (p.options.gap >= 0) p.at_hair.shares = p.at_polygons.shares = {p.options.gap, p.options.scatter};
     p.bounds = bounds(segments);
     p.igloo = make_igloo(uint32_t(p.options.cells));
     p.opacity = make_hair_opacity(attenuation);
@@ -53,7 +53,7 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
 
 void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& from, const Unseen& unseen, Isa isa,
              ProjectionScratch& scratch, CellLight& light) {
-    const ProjectionInput in = input_of(p, from.dome);
+    const ProjectionInput in = input_of(p);
     const ProjectionKernels kernels = projection_kernels(isa);
     switch (p.options.detail) {
         case ProjectionDetail::tree:
@@ -66,25 +66,30 @@ void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& 
         default:
             kernels.project_segments(in, from, unseen, scratch);
     }
-    kernels.find_light(in, from, scratch, light);
+    kernels.find_light(in, from, p.gap(from.dome).shares, scratch, light);
 }
 
 void project_near(const HairProjection& p, const Viewpoint& from, const Unseen& unseen, const FarHair& far, Isa isa,
                   ProjectionScratch& scratch, CellLight& light) {
-    const ProjectionInput in = input_of(p, from.dome);
+    const ProjectionInput in = input_of(p);
     const ProjectionKernels kernels = projection_kernels(isa);
     kernels.project_near(in, from, unseen, far, scratch);
-    kernels.find_light(in, from, scratch, light);
+    kernels.find_light(in, from, p.gap(from.dome).shares, scratch, light);
 }
 
 FarHair find_far_hair(const HairProjection& p, const Viewpoint& from, float size, Isa isa, ProjectionScratch& scratch) {
-    const ProjectionInput in = input_of(p, from.dome);
+    const ProjectionInput in = input_of(p);
     FarHair far;
     far.near_box = {from.position - p.tree.origin, kNearCubes * size, size};
     projection_kernels(isa).project_far(in, from, far, scratch);
     far.near.shrink_to_fit();
     far.depth = p.opacity.gray ? packed(scratch.gray) : packed(scratch.color);
     return far;
+}
+
+void find_light(const HairProjection& p, const Viewpoint& from, const GapShares& shares, Isa isa,
+                const ProjectionScratch& scratch, CellLight& light) {
+    projection_kernels(isa).find_light(input_of(p), from, shares, scratch, light);
 }
 
 size_t bytes(const HairProjection& p) { return bytes(p.opacity) + bytes(p.segments) + bytes(p.layers) + bytes(p.tree); }

@@ -19,9 +19,9 @@ struct ProjectionError {
     int points = 0;  // 0: none is seen, nothing is known
 };
 
-/// What share of the gaps between cells is added (CellTransmittance), from -1 to 8, and what error is left.
+/// What shares of the gaps between cells are added, and what error is left.
 struct CellGap {
-    float share = 0;
+    GapShares shares;
     ProjectionError error;
 };
 
@@ -53,6 +53,10 @@ void project_near(const HairProjection& projection, const Viewpoint& from, const
 /// Far hair of the corner of the grid that is at `from`; `size` is that of the grid's cubes. The hair is a tree.
 FarHair find_far_hair(const HairProjection& projection, const Viewpoint& from, float size, Isa isa,
                       ProjectionScratch& scratch);
+
+/// What was projected last, with other shares of gaps than the projection's.
+void find_light(const HairProjection& projection, const Viewpoint& from, const GapShares& shares, Isa isa,
+                const ProjectionScratch& scratch, CellLight& light);
 
 size_t bytes(const HairProjection& projection);
 

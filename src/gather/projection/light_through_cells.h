@@ -17,7 +17,13 @@ public:
     Rgb operator()(const PreparedScene& prepared, const ShadingPoint& point, const LightProbe* probe,
                    std::span<const SeenLight> seen, uint64_t key, Isa isa);
 
+    /// The same as last, with other shares of gaps.
+    Rgb with_gaps(const PreparedScene& prepared, std::span<const SeenLight> seen, const GapShares& shares, Isa isa);
+
 private:
+    Rgb sum_of(const Igloo& igloo, std::span<const SeenLight> seen) const;
+
+    Viewpoint from_;
     ProjectionScratch scratch_;
     CellLight cells_;
     std::vector<float> sight_;

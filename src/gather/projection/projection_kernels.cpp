@@ -63,14 +63,15 @@ void project_far_of(const ProjectionInput& in, const Viewpoint& from, FarHair& f
     with_depths(in, from, scratch, [&](auto& depths) { MomentWalk(in, from, {}, scratch, depths).beyond(far); });
 }
 
-void find_light(const ProjectionInput& in, const Viewpoint& from, const ProjectionScratch& scratch, CellLight& to) {
+void find_light(const ProjectionInput& in, const Viewpoint& from, const GapShares& gaps,
+                const ProjectionScratch& scratch, CellLight& to) {
     to.gray = in.opacity.gray;
     to.cells = in.igloo.cells_of(from.dome);
     const auto find = [&](bool in_sight, CellTransmittance& light) {
-        if (to.gray) return find_channel<0>(in.igloo, scratch.gray, to.cells, in_sight, in.gap, light);
-        find_channel<0>(in.igloo, scratch.color, to.cells, in_sight, in.gap, light);
-        find_channel<1>(in.igloo, scratch.color, to.cells, in_sight, in.gap, light);
-        find_channel<2>(in.igloo, scratch.color, to.cells, in_sight, in.gap, light);
+        if (to.gray) return find_channel<0>(in.igloo, scratch.gray, to.cells, in_sight, gaps, light);
+        find_channel<0>(in.igloo, scratch.color, to.cells, in_sight, gaps, light);
+        find_channel<1>(in.igloo, scratch.color, to.cells, in_sight, gaps, light);
+        find_channel<2>(in.igloo, scratch.color, to.cells, in_sight, gaps, light);
     };
     find(false, to.all);
     if (!from.sight.empty()) find(true, to.in_sight);

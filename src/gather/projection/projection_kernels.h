@@ -19,7 +19,6 @@ struct ProjectionInput {
     const MomentTree& tree;             // empty where segments are projected
     float opening;                      // cubes larger than this many cells are opened
     float sub_splats;                   // splats of a cube as large as a cell
-    float gap;                          // share of the gaps between neighbours that is added (CellLight)
 };
 
 struct ProjectionKernels {
@@ -34,7 +33,8 @@ struct ProjectionKernels {
                          ProjectionScratch&);
     void (*project_far)(const ProjectionInput&, const Viewpoint&, FarHair& far, ProjectionScratch&);
     /// From the sums of depths to light.
-    void (*find_light)(const ProjectionInput&, const Viewpoint&, const ProjectionScratch&, CellLight&);
+    void (*find_light)(const ProjectionInput&, const Viewpoint&, const GapShares&, const ProjectionScratch&,
+                       CellLight&);
     /// Squared distance of polygons among the hair in each cell of a viewpoint near the probe; infinity where there are
     /// none.
     void (*find_sight)(const LightProbe&, const Igloo& of_probe, const Igloo&, const Viewpoint&, std::vector<float>&);
