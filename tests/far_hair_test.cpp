@@ -36,7 +36,8 @@ std::vector<Rgb> through_near_and_far(const ProjectedHair& hair, const Viewpoint
                                       Isa isa = Isa::automatic) {
     ProjectionScratch scratch;
     CellLight light;
-    project_near(hair.projection, from, {}, far, isa, scratch, light);
+    project_near(hair.projection, from, {}, far, isa, scratch);
+    find_light(hair.projection, from, isa, scratch, light);
     return cells_of(light);
 }
 
@@ -162,7 +163,8 @@ TEST_CASE("a point's own fiber is left out of the hair near it") {
         const Viewpoint from = at_corner(cube, 0);
         ProjectionScratch scratch;
         CellLight light;
-        project_near(hair.projection, from, {s, s, {}}, far, Isa::automatic, scratch, light);
+        project_near(hair.projection, from, {s, s, {}}, far, Isa::automatic, scratch);
+        find_light(hair.projection, from, Isa::automatic, scratch, light);
         CHECK(mean_of(cells_of(light)) > mean_of(through_near_and_far(hair, from, far)));
         CHECK(mean_of(cells_of(light)) == doctest::Approx(mean_of(seen(hair, from, {s, s, {}}))).epsilon(0.002));
     }

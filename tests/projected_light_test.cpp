@@ -80,10 +80,11 @@ TEST_CASE("what gaps between cells are worth is found apart at hair and at polyg
     const Scene scene = hair_around_wall();
     for (const ProjectionDetail detail : {ProjectionDetail::all, ProjectionDetail::tree}) {
         CAPTURE(int(detail));
-        const auto projected = [&](float gap) {
+        const auto projected = [&](float gap, float scatter = 0) {
             Options options = type2_by(GatherMethod::projection, detail);
             options.projection.cells = 64;
             options.projection.gap = gap;
+            options.projection.scatter = scatter;
             return projection_of(scene, options);
         };
         const HairProjection without = projected(0), found = projected(-1);
@@ -92,7 +93,15 @@ TEST_CASE("what gaps between cells are worth is found apart at hair and at polyg
             REQUIRE(found.gap(dome).error.points > 0);
             CHECK(without.gap(dome).shares.gap == 0);
             // By one step of the secant: what is not linear in the gap is left.
-            CHECK(std::abs(found.gap(dome).error.bias) < 0.1 * std::abs(without.gap(dome).error.bias));
+            CHECK(std::abs(found.gap(dome).error.bias) < 0.02 * std::abs(without.gap(dome).error.bias));
+            CHECK(found.gap(dome).error.rms < without.gap(dome).error.rms);
+            const GapShares& shares = found.gap(dome).shares;
+            REQUIRE(shares.gap >= 0);
+            CHECK(shares.scatter > 0);
+            const HairProjection given = projected(shares.gap, shares.scatter);
+            CHECK(given.gap(dome).error.rms == found.gap(dome).error.rms);
+            CHECK(given.gap(dome).error.bias == found.gap(dome).error.bias);
+            CHECK(projected(shares.gap).gap(dome).error.bias > found.gap(dome).error.bias);
         }
         CHECK(found.at_hair.shares.gap != found.at_polygons.shares.gap);
     }

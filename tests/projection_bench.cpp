@@ -172,13 +172,14 @@ void measure(const SeenPoints& seen, Options options, const std::string& row, Pr
     for (size_t i = 0; i < n; ++i) {
         const double from = seconds();
         project(projection, prepared.segments, truth.from[i], unseen_from(truth.points[i], prepared.segments),
-                options.isa, scratch, light);
+                options.isa, scratch);
+        find_light(projection, truth.from[i], options.isa, scratch, light);
         times.push_back(seconds() - from);
         found.push_back(by_cells(projection.igloo, truth.from[i], light));
     }
     const GapShares& gaps = projection.gap(truth.from[0].dome).shares;
     const double sum = std::accumulate(times.begin(), times.end(), 0.0);
-    std::printf("%-60s build %5.2f s %7.1f MB  gap %.2f - %.2f %9.1f us a point", row.c_str(), built - start,
+    std::printf("%-60s build %5.2f s %7.1f MB  gap %.2f scatter %.2f %9.1f us a point", row.c_str(), built - start,
                 double(bytes(projection)) / 1e6, double(gaps.gap), double(gaps.scatter), 1e6 * sum / double(n));
     if (detail == ProjectionDetail::all)
         std::printf(" (%.2f ns a segment)", 1e9 * sum / double(n) / double(prepared.segments.size()));

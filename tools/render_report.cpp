@@ -58,11 +58,12 @@ void print_gather_estimate(const RenderStats& stats, const Plan& plan) {
 
 void print(const CellGap& gap, const char* of) {
     if (gap.error.points == 0) return;
-    std::fprintf(stderr,
-                 "projection: light of type 2 at %d points of %s is off by %.2f %% (rms; mean %+.2f %%), gap %.2f - "
-                 "%.2f of scatter\n",
-                 gap.error.points, of, 100 * gap.error.rms, 100 * gap.error.bias, double(gap.shares.gap),
-                 double(gap.shares.scatter));
+    std::fprintf(
+        stderr,
+        "projection: light of type 2 at %d points of %s is off by %.2f %% (rms; mean %+.2f %%); gap %.2f, scatter "
+        "%.2f\n",
+        gap.error.points, of, 100 * gap.error.rms, 100 * gap.error.bias, double(gap.shares.gap),
+        double(gap.shares.scatter));
 }
 
 }  // namespace

@@ -59,7 +59,9 @@ GatherCost estimate_gather_cost(const Scene& scene, const Options& options, Proj
         return GatherCost{
             spp * rays,
             spp * (at_hair * (point + o.directions * kDirectionSeconds) + elsewhere * o.rays * kPolygonRaySeconds),
-            (tree ? double(segments.size()) * kTreeSegmentSeconds : 0) + kTrialSeconds + probes * probe, far_field};
+            (tree ? double(segments.size()) * kTreeSegmentSeconds : 0) + kTrialSeconds + kTrialPoints * whole +
+                probes * probe,
+            far_field};
     };
     const GatherCost alone = cost(false);
     if (!tree || o.far_field == FarField::off) return alone;

@@ -125,7 +125,7 @@ std::vector<OptionField> option_fields(Options& o) {
         {"projection.leaf", &j.leaf, 1, 4096, "pieces of hair that a cube may keep undivided (tree)"},
         {"projection.cube", &j.cube, 0, 1e30, "side of the smallest cube, scene units; 0: 1/256 of the hair (tree)"},
         {"projection.gap", &j.gap, -1, 8, "share of gaps between cells that is added; below 0: as rays show"},
-        {"projection.scatter", &j.scatter, 0, 8, "share of their scatter that is taken off; as rays show where gap is"},
+        {"projection.scatter", &j.scatter, 0, 8, "share of their scatter that is taken off, where gap is given"},
         {"projection.share", &j.share, 1e-4, 1, "of strands that are kept (simplified)"},
         {"projection.stride", &j.stride, 1, 1024, "segments of a strand that become one (simplified)"},
         {"projection.layer", &j.layer, 1e-20, 1e30, "depth of a layer, scene units; the i-th keeps every i-th segment"},

@@ -92,7 +92,7 @@ struct ProjectionOptions {
     int leaf = 16;                             // tree: pieces of hair that a cube may keep undivided
     float cube = 0;                            // tree: sides of the smallest cube, scene units; 0: 1/256 of the hair
     float gap = -1;       // share of the gap between neighbouring cells that is added; below 0: as rays show
-    float scatter = 0;    // share that is taken off for scatter, where the gap's is given; else as rays show
+    float scatter = 0;    // share of cells' scatter that is taken off, where gap is given
     float share = 0.25f;  // simplified: of strands that are kept, as wide as those they stand for
     int stride = 1;       // simplified: segments of a strand that become one
     float layer = 4;      // layers: s of the paper, scene units; layer i keeps every i-th segment

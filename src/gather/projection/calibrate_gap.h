@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of the gaps between cells must be added (CellTransmittance), found by rays; and what error is left. At hair
+// Which shares of the gaps between cells and of their scatter (GapShares) rays ask for; and what error is left. At hair
 // and at polygons apart: a scalp sees hair that lies along it, and none of its own.
 #pragma once
 
@@ -10,7 +10,8 @@
 namespace tress {
 
 /// Compares light by projection with rays along the same directions. Where options say that rays choose the gap, sets
-/// its share so that no bias is left; says what error is left in any case.
+/// the shares of least squares that leave no bias (fit_gaps); at polygons those of hair, where there is no light to
+/// tell by. Says what error is left, of the same light, in any case.
 void calibrate_gap(PreparedScene& prepared, const Options& options, const LightTrials& trials);
 
 }  // namespace tress

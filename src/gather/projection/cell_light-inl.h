@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 inline size_t padded(size_t cells) { return (cells + kMostLanes - 1) / kMostLanes * kMostLanes; }
 
 /// `root`: sqrt(T) of each cell, padded with anything. A neighbour beyond the last cell (below a hemisphere's horizon)
-/// is the cell itself: no gap.
+/// is the cell itself: no gap, and no opposite neighbours to tell scatter by.
 inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, const GapShares& shares, float* light) {
     const Floats d;
     const Ints di;
@@ -27,14 +27,17 @@ inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, const 
     for (size_t i = 0; i < cells; i += hn::Lanes(d)) {
         const FloatVec own = hn::Load(d, root + i);
         const IntVec self = hn::Min(hn::Iota(di, int32_t(i)), most);
-        const auto step_to = [&](size_t side) {
+        const auto beside = [&](size_t side) {
             const IntVec other = hn::LoadU(di, &igloo.neighbor[side * 2 * igloo.cells] + i);
-            return hn::GatherIndex(d, root, hn::IfThenElse(other > most, self, other)) - own;
+            return hn::IfThenElse(other > most, self, other);
         };
-        FloatVec gap = hn::Zero(d), scatter = hn::Zero(d);  // 8 and 4 times
+        FloatVec gap = hn::Zero(d), scatter = hn::Zero(d);  // 8 times the gap; 4 times the scatter
         for (const size_t side : {0, 2}) {                  // and its opposite
-            const FloatVec there = step_to(side), back = step_to(side + 1), both = there + back;
-            gap = gap + there * there + back * back;
+            const IntVec there = beside(side), back = beside(side + 1);
+            const FloatVec ahead = hn::GatherIndex(d, root, there) - own, behind = hn::GatherIndex(d, root, back) - own;
+            const auto alone = hn::RebindMask(d, hn::Or(there == self, back == self));
+            const FloatVec both = hn::IfThenZeroElse(alone, ahead + behind);
+            gap = gap + ahead * ahead + behind * behind;
             scatter = scatter + both * both;
         }
         const FloatVec added = set(shares.gap / 8) * gap - set(shares.scatter / 4) * scatter;

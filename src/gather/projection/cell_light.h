@@ -10,7 +10,8 @@ namespace tress {
 /// For what is lost by taking the exponential of a cell's mean depth, a share of the like gap between neighbouring
 /// cells is added: the mean over four neighbours of (T + Tn) / 2 - sqrt(T Tn). Part of it is no gap but scatter, by
 /// where the splats of hair happen to fall. It makes a cell differ from opposite neighbours alike, which hair that is
-/// denser on one side does not: a share of (the mean of both - own)^2, in sqrt(T), is taken off, once for each axis.
+/// denser on one side does not: a share of (the mean of both - own)^2, in sqrt(T), is taken off, once for each axis
+/// that has both.
 struct GapShares {
     float gap = 0, scatter = 0;
 };

@@ -52,7 +52,7 @@ HairProjection make_hair_projection(const SegmentView& segments, const Attenuati
 }
 
 void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& from, const Unseen& unseen, Isa isa,
-             ProjectionScratch& scratch, CellLight& light) {
+             ProjectionScratch& scratch) {
     const ProjectionInput in = input_of(p);
     const ProjectionKernels kernels = projection_kernels(isa);
     switch (p.options.detail) {
@@ -66,15 +66,11 @@ void project(const HairProjection& p, const SegmentView& hair, const Viewpoint& 
         default:
             kernels.project_segments(in, from, unseen, scratch);
     }
-    kernels.find_light(in, from, p.gap(from.dome).shares, scratch, light);
 }
 
 void project_near(const HairProjection& p, const Viewpoint& from, const Unseen& unseen, const FarHair& far, Isa isa,
-                  ProjectionScratch& scratch, CellLight& light) {
-    const ProjectionInput in = input_of(p);
-    const ProjectionKernels kernels = projection_kernels(isa);
-    kernels.project_near(in, from, unseen, far, scratch);
-    kernels.find_light(in, from, p.gap(from.dome).shares, scratch, light);
+                  ProjectionScratch& scratch) {
+    projection_kernels(isa).project_near(input_of(p), from, unseen, far, scratch);
 }
 
 FarHair find_far_hair(const HairProjection& p, const Viewpoint& from, float size, Isa isa, ProjectionScratch& scratch) {
@@ -85,6 +81,11 @@ FarHair find_far_hair(const HairProjection& p, const Viewpoint& from, float size
     far.near.shrink_to_fit();
     far.depth = p.opacity.gray ? packed(scratch.gray) : packed(scratch.color);
     return far;
+}
+
+void find_light(const HairProjection& p, const Viewpoint& from, Isa isa, const ProjectionScratch& scratch,
+                CellLight& light) {
+    find_light(p, from, p.gap(from.dome).shares, isa, scratch, light);
 }
 
 void find_light(const HairProjection& p, const Viewpoint& from, const GapShares& shares, Isa isa,

@@ -4,7 +4,8 @@
 //     const HairProjection projection = make_hair_projection(segments, attenuation, detail, options);
 //     ProjectionScratch scratch;
 //     CellLight light;
-//     project(projection, segments, from, unseen, isa, scratch, light);
+//     project(projection, segments, from, unseen, isa, scratch);
+//     find_light(projection, from, isa, scratch, light);
 //     light.transmittance(cell_of(projection.igloo, from.frame.to_local(direction)));
 #pragma once
 
@@ -19,7 +20,7 @@ struct ProjectionError {
     int points = 0;  // 0: none is seen, nothing is known
 };
 
-/// What shares of the gaps between cells are added, and what error is left.
+/// What is made of the gaps between cells, and what error is left.
 struct CellGap {
     GapShares shares;
     ProjectionError error;
@@ -42,19 +43,21 @@ struct HairProjection {
 HairProjection make_hair_projection(const SegmentView& segments, const Attenuation& attenuation,
                                     ProjectionDetail detail, const Options& options);
 
-/// What hair lets through about a point, in the frame of `from`. `hair` is what the projection was made of.
+/// Depths of the hair about a point, in the frame of `from`, to `scratch`. `hair` is what the projection was made of.
 void project(const HairProjection& projection, const SegmentView& hair, const Viewpoint& from, const Unseen& unseen,
-             Isa isa, ProjectionScratch& scratch, CellLight& light);
+             Isa isa, ProjectionScratch& scratch);
 
 /// The same, from what `far` has and the hair in its box. The frame of `from` is that of `far`; the hair is a tree.
 void project_near(const HairProjection& projection, const Viewpoint& from, const Unseen& unseen, const FarHair& far,
-                  Isa isa, ProjectionScratch& scratch, CellLight& light);
+                  Isa isa, ProjectionScratch& scratch);
 
 /// Far hair of the corner of the grid that is at `from`; `size` is that of the grid's cubes. The hair is a tree.
 FarHair find_far_hair(const HairProjection& projection, const Viewpoint& from, float size, Isa isa,
                       ProjectionScratch& scratch);
 
-/// What was projected last, with other shares of gaps than the projection's.
+/// What the hair that was projected lets through; with the projection's shares of gaps, or others.
+void find_light(const HairProjection& projection, const Viewpoint& from, Isa isa, const ProjectionScratch& scratch,
+                CellLight& light);
 void find_light(const HairProjection& projection, const Viewpoint& from, const GapShares& shares, Isa isa,
                 const ProjectionScratch& scratch, CellLight& light);
 

@@ -12,21 +12,23 @@ namespace tress {
 
 class LightThroughCells {
 public:
-    /// `probe`: by which `seen` was found; null: light from among the hair is left out. The igloo is turned by `key`,
-    /// or as that of the probe where it has far hair.
-    Rgb operator()(const PreparedScene& prepared, const ShadingPoint& point, const LightProbe* probe,
-                   std::span<const SeenLight> seen, uint64_t key, Isa isa);
+    LightThroughCells() = default;
+    LightThroughCells(const LightThroughCells&) = delete;
+    LightThroughCells& operator=(const LightThroughCells&) = delete;
 
-    /// The same as last, with other shares of gaps.
-    Rgb with_gaps(const PreparedScene& prepared, std::span<const SeenLight> seen, const GapShares& shares, Isa isa);
+    /// `probe`: by which the light was found; null: light from among the hair is left out. The igloo is turned by
+    /// `key`, or as that of the probe where it has far hair.
+    void project(const PreparedScene& prepared, const ShadingPoint& point, const LightProbe* probe, uint64_t key,
+                 Isa isa);
+
+    /// Of `seen` from the point that was projected last.
+    Rgb light(const PreparedScene& prepared, std::span<const SeenLight> seen, const GapShares& shares, Isa isa);
 
 private:
-    Rgb sum_of(const Igloo& igloo, std::span<const SeenLight> seen) const;
-
-    Viewpoint from_;
     ProjectionScratch scratch_;
     CellLight cells_;
     std::vector<float> sight_;
+    Viewpoint from_;  // refers to sight_
 };
 
 }  // namespace tress

@@ -30,9 +30,11 @@ void ProjectedLight::operator()(const Scene& scene, const PreparedScene& prepare
         else
             by_rays_(scene, prepared, plan, options, point, directions_, seen_);
         const bool by_cells = at_hair || hair.holds(point.position);
-        if (by_cells)
-            radiance[row] +=
-                through_cells_(prepared, point, probe, seen_, hash(sampler.key, sampler.index), options.isa);
+        if (by_cells && !seen_.empty()) {
+            through_cells_.project(prepared, point, probe, hash(sampler.key, sampler.index), options.isa);
+            const CellGap& gap = prepared.projection.gap(at_hair ? Dome::sphere : Dome::hemisphere);
+            radiance[row] += through_cells_.light(prepared, seen_, gap.shares, options.isa);
+        }
         if (!at_hair || !prepared.probes) send_rays(hair, point, row, by_cells, radiance[row]);
     }
     through_.resize(rays_.size());

@@ -55,7 +55,8 @@ struct CellMeans {
 
 CellMeans means_at(const ProjectedHair& hair, const Viewpoint& from, Isa isa, ProjectionScratch& scratch) {
     CellLight light;
-    project(hair.projection, hair.segments(), from, {}, isa, scratch, light);
+    project(hair.projection, hair.segments(), from, {}, isa, scratch);
+    find_light(hair.projection, from, isa, scratch, light);
     CellMeans means;
     for (size_t cell = 0; cell < light.cells; ++cell)
         means.depth += double(scratch.gray.sum(cell)) / double(light.cells);

@@ -91,7 +91,8 @@ inline std::vector<double> coverage(const ProjectedHair& hair, const Viewpoint& 
                                     Isa isa = Isa::automatic) {
     ProjectionScratch scratch;
     CellLight light;
-    project(hair.projection, hair.segments(), from, {}, isa, scratch, light);
+    project(hair.projection, hair.segments(), from, {}, isa, scratch);
+    find_light(hair.projection, from, isa, scratch, light);
     std::vector<double> covered(light.cells);
     for (size_t cell = 0; cell < light.cells; ++cell)
         covered[cell] = double(scratch.gray.sum(cell)) / -std::expm1(-depth);

@@ -111,7 +111,8 @@ inline std::vector<Rgb> seen_with(Isa isa, const ProjectedHair& hair, const View
                                   const Unseen& unseen = {}) {
     ProjectionScratch scratch;
     CellLight light;
-    project(hair.projection, hair.segments(), from, unseen, isa, scratch, light);
+    project(hair.projection, hair.segments(), from, unseen, isa, scratch);
+    find_light(hair.projection, from, isa, scratch, light);
     return cells_of(light);
 }
 
