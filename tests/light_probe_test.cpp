@@ -5,8 +5,10 @@
 
 #include "accel/isa_targets.h"
 #include "core/rng.h"
+#include "core/sampler.h"
 #include "core/sampling.h"
 #include "gather/projection/make_light_probe.h"
+#include "tools/check/support/projected_hair.h"
 #include "tools/check/support/small_scenes.h"
 
 using namespace tress;
@@ -91,6 +93,50 @@ TEST_CASE("a probe is read where a point beside it looks") {
         off_beside += double(length(seen_in(here) - exact));
     }
     CHECK(off_read < 0.5 * off_beside);
+}
+
+TEST_CASE("a ball close by hides as much of the wall behind it as it does from where the point is") {
+    constexpr double kRadius = 10, kWall = 60;  // a head in a room
+    const auto distance = [&](const DVec3& from, const DVec3& direction) {
+        const double along = dot(from, direction), out = dot(from, from);
+        const double meets = along * along - out + kRadius * kRadius;
+        if (meets > 0 && along < 0) return -along - std::sqrt(meets);
+        return -along + std::sqrt(along * along - out + kWall * kWall);
+    };
+    const auto is_ball = [](double d) { return d < 20; };  // at most 4.6 away; the wall is 49 and more
+    const Igloo igloo = make_igloo(256);
+    constexpr uint32_t kDirections = 4096, kFrames = 4;
+    /// Share of directions in which a point at a height sees the ball, by probes at another.
+    const auto hidden = [&](double height, double by_probe_at) {
+        int count = 0;
+        for (uint64_t i = 0; i < kFrames; ++i) {
+            LightProbe probe;
+            probe.position = Vec3(0.3f, 0, float(kRadius + by_probe_at));
+            probe.frame = random_frame(i);
+            for (uint32_t cell = 0; cell < igloo.cells_of(Dome::sphere); ++cell) {
+                const Vec2 u(random(hash(i, cell), 0), random(hash(i, cell), 1));
+                const DVec3 direction(probe.frame.to_world(direction_in(igloo, cell, u)));
+                probe.cells.push_back({float(distance(DVec3(probe.position), direction)), {}});
+            }
+            for (uint32_t k = 0; k < kDirections; ++k) {
+                const Vec3 direction = sample_uniform_sphere(Sampler{hash(9, i), k}.get2(0));
+                const Vec3 place(0, 0, float(kRadius + height));
+                count += is_ball(double(probe.cells[cell_towards(probe, igloo, place, direction)].distance()));
+            }
+        }
+        return double(count) / (kDirections * kFrames);
+    };
+    for (const double height : {0.2, 0.4, 0.6}) {
+        CAPTURE(height);
+        constexpr double kLow = 0.05, kHigh = 1;  // corners of a cube of the grid, drawn by their weights
+        const double upper = (height - kLow) / (kHigh - kLow);
+        const double by_probes = (1 - upper) * hidden(height, kLow) + upper * hidden(height, kHigh);
+        const double out = kRadius + height, exact = (1 - std::sqrt(1 - kRadius * kRadius / (out * out))) / 2;
+        // Cells on the horizon, an eighth of the sphere, see the ball or the wall by one ray each. Looking only at what
+        // the probe sees along the direction itself, and from there once more, loses nearly all of the ball: 0.3 and
+        // more.
+        CHECK(std::abs(by_probes - exact) < 0.03);
+    }
 }
 
 TEST_CASE("sight ends at polygons among the hair, alike on every instruction set") {
