@@ -13,7 +13,8 @@
 
 namespace tress {
 
-/// Of projection: what was made of gaps between cells, and the error that rays showed (gather/projection/calibrate_gap.h).
+/// Of projection: what was made of gaps between cells, and the error that rays showed
+/// (gather/projection/calibrate_gap.h).
 struct ProjectionReport {
     CellGap at_hair, at_polygons;
 };

@@ -6,7 +6,7 @@
 namespace tress {
 namespace {
 
-constexpr double kLeastNoise = 0.005;  // of the mean: fewer points than numbers seem to fit without any
+constexpr double kLeastNoise = 0.005;  // of the mean: two or three points would always seem to fit without any
 
 }  // namespace
 

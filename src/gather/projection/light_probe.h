@@ -34,7 +34,7 @@ struct LightProbe {
 
 /// The cell that sees what is seen from `place`, near the probe, along the unit vector `direction`: where that way is
 /// as far from the probe as what the probe sees there, found step by step as by distance impostors (Szirmay-Kalos,
-/// Aszodi, Lazanyi & Premecz 2005). Without a search, polygons close by would hide more than they do.
+/// Aszodi, Lazanyi & Premecz 2005). Without a search, points look past polygons close by.
 uint32_t cell_towards(const LightProbe& probe, const Igloo& igloo, const Vec3& place, const Vec3& direction);
 
 }  // namespace tress
