@@ -222,3 +222,17 @@ TEST_CASE("auto projects where that is estimated to take less time than the rays
     for (const GatherMethod method : {GatherMethod::ray, GatherMethod::projection, GatherMethod::off})
         CHECK_FALSE(make_plan(scene, type2_by(method)).gather_cost);
 }
+
+TEST_CASE("more samples find the gap at more points, within bounds; renders by rays at none") {
+    const Scene scene = hair_before_wall(true, Rgb(1));
+    Options options = type2_by(GatherMethod::projection);
+    const auto at_spp = [&](int spp) {
+        options.spp = spp;
+        return make_plan(scene, options).gap_points;
+    };
+    CHECK(at_spp(1) == gap_points(0));
+    CHECK(at_spp(1 << 20) == gap_points(1e18));
+    CHECK(gap_points(0) < gap_points(1e18));
+    CHECK(gap_points(2 * 256.0 * gap_points(0)) == 2 * gap_points(0));
+    CHECK(make_plan(scene, type2_by(GatherMethod::ray)).gap_points == 0);
+}

@@ -52,6 +52,8 @@ GatherCost estimate_gather_cost(const Scene& scene, const Options& options, Proj
 
     const bool tree = detail == ProjectionDetail::tree;
     const double whole = seconds_of_projection(o, detail, double(segments.size()));
+    const int at_gaps = gap_points(spp * at_hair);
+    const double trials = at_gaps * (1 + 1.0 / kGapPointsOfPolygons);
     const auto cost = [&](bool far_field) {
         const double probes = corners(scene, hair, share, probes_across(o, far_field), spp * at_hair);
         const double point = far_field ? kNearSeconds + kNearShare * whole : whole;
@@ -59,9 +61,9 @@ GatherCost estimate_gather_cost(const Scene& scene, const Options& options, Proj
         return GatherCost{
             spp * rays,
             spp * (at_hair * (point + o.directions * kDirectionSeconds) + elsewhere * o.rays * kPolygonRaySeconds),
-            (tree ? double(segments.size()) * kTreeSegmentSeconds : 0) + kTrialSeconds + kTrialPoints * whole +
-                probes * probe,
-            far_field};
+            (tree ? double(segments.size()) * kTreeSegmentSeconds : 0) +
+                trials * (kTrialSeconds + kTrialWalks * whole) + probes * probe,
+            far_field, at_gaps};
     };
     const GatherCost alone = cost(false);
     if (!tree || o.far_field == FarField::off) return alone;

@@ -24,8 +24,8 @@ inline constexpr double kWalkSegments = 1.2e6;              // as many segments
 inline constexpr double kNearSeconds = 50e-6;               // the hair next to a point alone, and
 inline constexpr double kNearShare = 0.25;                  // of the whole walk
 inline constexpr double kTreeSegmentSeconds = 1.5e-6;       // a segment put into the tree
-inline constexpr double kTrialSeconds = 1.5;                // finding the gap at hair by rays, and
-inline constexpr double kTrialPoints = 960;                 // points projected meanwhile: 320, three times
+inline constexpr double kTrialSeconds = 4.7e-3;             // a point at which the gap is found, by rays, and
+inline constexpr double kTrialWalks = 3;                    // how often it is projected meanwhile
 inline constexpr double kProbeRaySeconds = 0.85e-6;         // a ray of a probe
 
 }  // namespace tress

@@ -251,6 +251,7 @@ private:
             if (options_.type2 == GatherMethod::automatic) plan_.gather_cost = cost;
             if (plan_.gather_cost && !cost.projection_pays()) why_not = "rays are faster" + gather_estimate();
             plan_.far_field = cost.far_field && why_not.empty();
+            plan_.gap_points = why_not.empty() ? cost.gap_points : 0;
         }
         if (why_not.empty()) plan_.projection = detail;
         decide(stage::kProjectedHair, why_not.empty(), detail_reason(detail), why_not);

@@ -43,6 +43,7 @@ struct Plan {
     std::optional<GatherCost> gather_cost;       // by which type 2 was chosen, where it is auto
     std::optional<ProjectionDetail> projection;  // type 2: what of the hair is projected; none: rays
     bool far_field = false;                      // points share far hair
+    int gap_points = 0;                          // of hair, at which the gap is found
 
     bool gather_rays() const { return (polygon_gather && !projection) || crossing_gather; }
     bool shadow_maps(MapKind kind) const { return lamp_maps == kind || crossing_maps == kind; }

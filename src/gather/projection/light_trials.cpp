@@ -11,7 +11,6 @@
 namespace tress {
 namespace {
 
-constexpr size_t kHairPoints = 256, kPolygonPoints = 64;
 constexpr int kDirections = 512;  // a point
 constexpr uint64_t kKey = hash(0, 0x747269616c);
 
@@ -60,8 +59,9 @@ LightTrials make_light_trials(const Scene& scene, const Plan& plan, const Prepar
     };
     SeenPoints seen = find_seen_points(scene, prepared, options);
     std::erase_if(seen.polygons, [&](const ShadingPoint& p) { return !prepared.projection.bounds.holds(p.position); });
-    return {trials_at(scene, plan, prepared, seen.hair, kHairPoints, at_hair),
-            trials_at(scene, plan, prepared, seen.polygons, kPolygonPoints, at_polygon)};
+    const size_t points = size_t(plan.gap_points);
+    return {trials_at(scene, plan, prepared, seen.hair, points, at_hair),
+            trials_at(scene, plan, prepared, seen.polygons, points / kGapPointsOfPolygons, at_polygon)};
 }
 
 }  // namespace tress
