@@ -42,11 +42,26 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-void append(MomentPieces& to, const MomentPieces& from) {
-    append(to.ax, from.ax), append(to.ay, from.ay), append(to.az, from.az);
-    append(to.bx, from.bx), append(to.by, from.by), append(to.bz, from.bz);
-    append(to.start_radius, from.start_radius), append(to.end_radius, from.end_radius);
-    append(to.segment, from.segment);
+/// Every row of pieces; of two, with the like row of the other.
+template <class F, class... P>
+void for_each_row(const F& f, P&... p) {
+    f(p.ax...), f(p.ay...), f(p.az...), f(p.bx...), f(p.by...), f(p.bz...);
+    f(p.start_radius...), f(p.end_radius...), f(p.segment...);
+}
+
+/// Room for what parts add: as much as is needed, so that nothing moves meanwhile and nothing is left over.
+void reserve(Part& to, std::span<const Part> parts) {
+    size_t blocks = to.blocks.size(), leaves = to.leaves(), pieces = to.pieces.segment.size();
+    for (const Part& part : parts) {
+        blocks += part.blocks.size();
+        leaves += part.leaves();
+        pieces += part.pieces.segment.size();
+    }
+    to.blocks.reserve(blocks);
+    to.leaf_first.reserve(leaves + 1);
+    to.leaf_low.reserve(leaves);
+    to.leaf_size.reserve(leaves);
+    for_each_row([&](auto& row) { row.reserve(pieces); }, to.pieces);
 }
 
 /// Appends a part; returns by how much its blocks and leaves have moved.
@@ -61,7 +76,7 @@ std::pair<int32_t, int32_t> append(Part& to, const Part& from) {
     for (size_t i = 1; i < from.leaf_first.size(); ++i) to.leaf_first.push_back(from.leaf_first[i] + piece);
     append(to.leaf_low, from.leaf_low);
     append(to.leaf_size, from.leaf_size);
-    append(to.pieces, from.pieces);
+    for_each_row([](auto& row, const auto& more) { append(row, more); }, to.pieces, from.pieces);
     return {block, leaf};
 }
 
@@ -104,6 +119,7 @@ private:
         tbb::parallel_for(0, 8, [&](int o) {
             roots[size_t(o)] = build(cube.octant(o), parts[size_t(o)], depth + 1, built[size_t(o)]);
         });
+        reserve(to, built);
         for (size_t o = 0; o < 8; ++o) {
             const auto [block, leaf] = append(to, built[o]);
             built[o] = {};
@@ -167,13 +183,6 @@ private:
     const float largest_radius_;
 };
 
-void shrink(MomentTree& t) {
-    t.blocks.shrink_to_fit(), t.leaf_first.shrink_to_fit(), t.leaf_low.shrink_to_fit(), t.leaf_size.shrink_to_fit();
-    MomentPieces& p = t.pieces;
-    for (auto* row : {&p.ax, &p.ay, &p.az, &p.bx, &p.by, &p.bz, &p.start_radius, &p.end_radius}) row->shrink_to_fit();
-    p.segment.shrink_to_fit();
-}
-
 std::vector<HairPiece> all_pieces(const SegmentView& segments, const DVec3& origin) {
     std::vector<HairPiece> pieces(segments.size());
     tbb::parallel_for(size_t(0), segments.size(), [&](size_t i) {
@@ -201,7 +210,6 @@ MomentTree make_moment_tree(const SegmentView& segments, const HairOpacity& opac
     tree.leaf_low = std::move(part.leaf_low);
     tree.leaf_size = std::move(part.leaf_size);
     tree.pieces = std::move(part.pieces);
-    shrink(tree);
     return tree;
 }
 
