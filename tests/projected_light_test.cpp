@@ -179,7 +179,7 @@ TEST_CASE("hair is made ready for projection only where type 2 asks for it") {
     Options rays = type2_by(GatherMethod::ray);
     rays.spp = 1;
     const Rendered r = render(scene, rays);
-    CHECK(r.prepared.projection.segments.segments == 0);
+    CHECK(r.prepared.projection.segments.rows() == 0);
     CHECK(r.prepared.projection.tree.blocks.empty());
 }
 

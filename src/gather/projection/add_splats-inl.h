@@ -15,16 +15,16 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-/// Cell of each unit direction given in the frame of the igloo, as cell_of of igloo.h.
+/// Cell of each unit direction given in the frame of the igloo, as cell_of of igloo.h; x and y may both be longer.
 HWY_INLINE IntVec cells_of(const Igloo& igloo, FloatVec x, FloatVec y, FloatVec z) {
     const Ints di;
+    const float cells = float(igloo.cells);
     const IntVec most = hn::Set(di, int32_t(igloo.cells) - 1), zero = hn::Zero(di);
-    const FloatVec below = set(float(igloo.cells)) * (set(1.0f) - hn::Abs(z));
-    const IntVec k = hn::Min(hn::Max(hn::ConvertTo(di, below), zero), most);
+    const IntVec k = hn::Min(hn::Max(nearest_int(set(cells - 0.5f) - set(cells) * hn::Abs(z)), zero), most);
     const IntVec row = hn::GatherIndex(di, igloo.row_of.data(), k);
     const IntVec first = hn::And(row, hn::Set(di, 0xffff)), count = hn::ShiftRight<16>(row);
-    const FloatVec column = turn_of(x, y) * hn::ConvertTo(Floats(), count);
-    const IntVec cell = first + hn::Min(hn::ConvertTo(di, column), count - hn::Set(di, 1));
+    const IntVec column = nearest_int(turn_of(x, y) * hn::ConvertTo(Floats(), count) - set(0.5f));
+    const IntVec cell = first + hn::Min(column, count - hn::Set(di, 1));
     const IntVec below_horizon = hn::ShiftRight<31>(hn::BitCast(di, z));  // -1 or 0
     return cell + hn::And(below_horizon, hn::Set(di, int32_t(igloo.cells)));
 }
@@ -75,8 +75,8 @@ HWY_INLINE void find_cells(const Igloo& igloo, const Viewpoint& from, const Seen
     const Frame& f = from.frame;
     const FloatVec zero = hn::Zero(d);
     const bool clip = from.dome == Dome::hemisphere;
-    const FloatVec x = dot3(set(f.x.x), set(f.x.y), set(f.x.z), seen.x, seen.y, seen.z) * seen.inverse;
-    const FloatVec y = dot3(set(f.y.x), set(f.y.y), set(f.y.z), seen.x, seen.y, seen.z) * seen.inverse;
+    const FloatVec x = dot3(set(f.x.x), set(f.x.y), set(f.x.z), seen.x, seen.y, seen.z);
+    const FloatVec y = dot3(set(f.y.x), set(f.y.y), set(f.y.z), seen.x, seen.y, seen.z);
     const FloatVec z = dot3(set(f.z.x), set(f.z.y), set(f.z.z), seen.x, seen.y, seen.z) * seen.inverse;
     FloatVec covered =
         solid_angle * set(float(igloo.cells) * (0.5f / kPi));  // in cells; a division here is one a vector

@@ -82,7 +82,7 @@ HWY_INLINE void draw_arc(const ArcRow& arc, Splats& to) {
     const FloatVec zero = hn::Zero(d), one = set(1.0f), solid = set(arc.solid);
     const FloatVec second_order = set(arc.width * arc.width / 24);
     for (size_t i = 0; i < arc.steps; i += hn::Lanes(d)) {
-        const FloatVec place = hn::Iota(d, float(i)) + set(0.5f);
+        const FloatVec place = counted_from(float(i) + 0.5f);
         const FloatVec psi = hn::Clamp(set(arc.psi) + place * set(arc.step), set(-kPi / 2), set(kPi / 2));
         const FloatVec sin_psi = sine(psi);
         const FloatVec cos_squared = hn::Max(one - sin_psi * sin_psi, set(1e-12f));

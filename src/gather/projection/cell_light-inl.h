@@ -26,7 +26,7 @@ inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, const 
     const IntVec most = hn::Set(di, int32_t(cells) - 1);
     for (size_t i = 0; i < cells; i += hn::Lanes(d)) {
         const FloatVec own = hn::Load(d, root + i);
-        const IntVec self = hn::Min(hn::Iota(di, int32_t(i)), most);
+        const IntVec self = hn::Min(counted_from(int32_t(i)), most);
         const auto beside = [&](size_t side) {
             const IntVec other = hn::LoadU(di, &igloo.neighbor[side * 2 * igloo.cells] + i);
             return hn::IfThenElse(other > most, self, other);

@@ -146,11 +146,11 @@ float turn_of(float x, float y) {
 }
 
 uint32_t cell_of(const Igloo& igloo, const Vec3& direction) {
-    const float below = float(igloo.cells) * (1 - std::abs(direction.z));
+    const float cells = float(igloo.cells), below = std::nearbyint((cells - 0.5f) - cells * std::abs(direction.z));
     const uint32_t k = std::min(uint32_t(std::max(below, 0.0f)), igloo.cells - 1);
     const uint32_t first = uint32_t(igloo.row_of[k]) & 0xffff, count = uint32_t(igloo.row_of[k]) >> 16;
-    const uint32_t column = std::min(uint32_t(turn_of(direction.x, direction.y) * float(count)), count - 1);
-    return first + column + (direction.z < 0 ? igloo.cells : 0);
+    const float column = std::nearbyint(turn_of(direction.x, direction.y) * float(count) - 0.5f);
+    return first + std::min(uint32_t(column), count - 1) + (direction.z < 0 ? igloo.cells : 0);
 }
 
 Vec3 direction_in(const Igloo& igloo, uint32_t cell, const Vec2& u) {

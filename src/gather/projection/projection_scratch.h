@@ -28,17 +28,31 @@ struct ChosenSegment {
     float weight;
 };
 
-/// Segments of which parts are splats.
-struct PartedSegments {
-    ProjectedSegments rows = make_rows(ProjectedSegments::kStreams);
-    AlignedArray<int32_t> kind = AlignedArray<int32_t>(ProjectedSegments::kStreams);  // of HairOpacity
+/// Rows of ProjectedSegments, from some row on; up to kPadding past `size` hold anything.
+struct RowList {
+    static constexpr size_t kCapacity = 256, kPadding = 16;
+
+    AlignedArray<int32_t> row = AlignedArray<int32_t>(kCapacity + kPadding);
     size_t size = 0;
+
+    bool has_room(size_t rows) const { return size + rows <= kCapacity; }
+};
+
+/// How a segment too near for one splat is drawn: as two or four splats, or along its arc.
+enum class NearWay { halved, quartered, exact };
+
+/// Segments too near for one splat, listed together, then by their ways.
+struct NearRows {
+    static constexpr int kWays = 3, kWayBits = 2;
+
+    RowList all;  // row * 2^kWayBits + way
+    RowList of_way[kWays];
 };
 
 struct ProjectionScratch {
     std::vector<ChosenSegment> chosen;  // by layers of distance
-    ProjectedSegments chosen_rows = make_rows(ProjectedSegments::kStreams);
-    PartedSegments halved, quartered;
+    ProjectedSegments chosen_rows;      // the rows of some of them; empty where none are chosen
+    NearRows near;
     CellSplats segment_splats;
     Splats splats, cube_splats;  // of arcs, of cubes
     PieceList pieces;

@@ -47,7 +47,7 @@ inline void see_farthest(const LightProbe& probe, const Igloo& probe_igloo, cons
     const Vec3 apart = probe.position - from.position;
     const IntVec last = hn::Set(di, int32_t(probe.cells.size()) - 1);
     for (size_t i = 0; i < probe.cells.size(); i += hn::Lanes(d)) {
-        const FloatVec distance = among_distance(probe, hn::Min(hn::Iota(di, int32_t(i)), last));
+        const FloatVec distance = among_distance(probe, hn::Min(counted_from(int32_t(i)), last));
         if (hn::AllTrue(d, distance == set(kInfinity))) continue;
         const Rotated middle = to_world(probe.frame, hn::LoadU(d, &probe_igloo.center_x[i]),
                                         hn::LoadU(d, &probe_igloo.center_y[i]), hn::LoadU(d, &probe_igloo.center_z[i]));

@@ -41,7 +41,8 @@ ProjectedSegments simplify_hair(const SegmentView& s, const ProjectionOptions& o
         first = end;
     }
     ProjectedSegments simplified = make_projected_segments(loose.view());
-    simplified.original = std::move(original);
+    for (size_t segment = 0; segment < original.size(); ++segment)
+        simplified.set_original(simplified.row_of(segment), original[segment]);
     simplified.stands_for = stride;
     return simplified;
 }

@@ -55,7 +55,7 @@ void choose_segments(const StrandLayers& layers, const SegmentView& segments, co
 
 size_t bytes(const StrandLayers& l) {
     return l.first.capacity() * sizeof(uint32_t) + l.root.capacity() * sizeof(Vec3) +
-           l.phase.capacity() * sizeof(float);
+           (l.phase.capacity() + l.shift.capacity()) * sizeof(float);
 }
 
 }  // namespace tress

@@ -8,8 +8,10 @@
 #define TRESS_GATHER_PROJECTION_VECTOR_MATH_INL_H
 #endif
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "gather/projection/polynomials.h"
 #include "hwy/highway.h"
@@ -28,6 +30,10 @@ using IntVec = hn::Vec<Ints>;
 using FloatMask = hn::Mask<Floats>;
 
 HWY_INLINE FloatVec set(float value) { return hn::Set(Floats(), value); }
+
+/// first, first + 1, ...: Iota of a number that is not constant goes through memory.
+HWY_INLINE IntVec counted_from(int32_t first) { return hn::Iota(Ints(), 0) + hn::Set(Ints(), first); }
+HWY_INLINE FloatVec counted_from(float first) { return hn::Iota(Floats(), 0.0f) + set(first); }
 
 /// A bit a lane, the first lane's the lowest.
 HWY_INLINE uint32_t bits_of(FloatMask mask) {
@@ -85,12 +91,19 @@ HWY_INLINE hn::Vec<D> minus_log_of_rest(D d, hn::Vec<D> x) {
     return hn::Set(d, 2.0f) * t * series - hn::Set(d, 0.69314718f) * hn::ConvertTo(d, exponent);
 }
 
+/// Nearest whole number of |x| < 2^21, as std::nearbyint: the sum's last bits are it, where ConvertTo of Highway asks
+/// of every lane whether it is too large.
+HWY_INLINE IntVec nearest_int(FloatVec x) {
+    constexpr float kShift = 0x1.8p23f;
+    return hn::BitCast(Ints(), x + set(kShift)) - hn::Set(Ints(), std::bit_cast<int32_t>(kShift));
+}
+
 /// Azimuth of (x, y) in turns, as turn_of of igloo.h.
 HWY_INLINE FloatVec turn_of(FloatVec x, FloatVec y) {
     const FloatVec zero = hn::Zero(Floats());
     const FloatVec ax = hn::Abs(x), ay = hn::Abs(y);
     const FloatVec high = hn::Max(ax, ay), low = hn::Min(ax, ay);
-    const FloatVec t = hn::IfThenElseZero(high > zero, low / high);
+    const FloatVec t = low / hn::Max(high, set(std::numeric_limits<float>::min()));
     const FloatVec octant = polynomial(kTurnPolynomial, t * t) * t;
     const FloatVec quarter = hn::IfThenElse(ay > ax, set(0.25f) - octant, octant);
     const FloatVec half = hn::IfThenElse(x < zero, set(0.5f) - quarter, quarter);
