@@ -82,20 +82,20 @@ private:
         for (size_t at = 0; at < list.size; at += kMostLanes) {
             make_room(splats, kParts * kMostLanes);
             for (size_t i = 0; i < kMostLanes; i += hn::Lanes(d)) {
-                const RowsOf rows(s, first, hn::Load(di, &list.row[at + i]));
+                const auto listed = counted_from(int32_t(at + i)) < hn::Set(di, int32_t(list.size));
+                const RowsOf rows(s, first, hn::IfThenElseZero(listed, hn::Load(di, &list.row[at + i])));
                 const SegmentVec whole = segments_at(rows, from_);
                 const FloatVec taper = rows(P::kTaper);
                 const IntVec segment = hn::BitCast(di, rows(P::kOriginal));
                 hn::Store(segment, di, original + i);
                 const auto from_first = segment > hn::Set(di, int32_t(unseen_.first) - int32_t(s.stands_for));
                 const auto past_last = segment > hn::Set(di, int32_t(unseen_.last));
-                const auto padding = counted_from(int32_t(at + i)) > hn::Set(di, int32_t(list.size) - 1);
-                const FloatMask left_out = hn::RebindMask(d, hn::Or(hn::AndNot(past_last, from_first), padding));
+                const FloatMask seen = hn::RebindMask(d, hn::AndNot(hn::AndNot(past_last, from_first), listed));
                 for (size_t part = 0; part < kParts; ++part) {
                     const float place = float(2 * part + 1) / kParts - 1;  // of its middle, in halves of the segment
                     splat_segments(
                         in_.igloo, from_, parts_of(whole, taper, place, 1.0f / kParts),
-                        [&](const SeenSize&) { return left_out; }, splats.size + part * kMostLanes + i, splats);
+                        [&](const SeenSize&) { return hn::Not(seen); }, splats.size + part * kMostLanes + i, splats);
                 }
             }
             for (size_t part = 0; part < kParts; ++part)
