@@ -97,7 +97,7 @@ TEST_CASE("fibers of different colours let their own colours through") {
             CAPTURE(int(detail));
             CAPTURE(far);
             const float r = 0.01f * far;
-            const StrandSet two = strands_of({{{far, -0.1f, 0.3f * far}, {far, 1.2f, 0.3f * far + 0.1f}, r, r},
+            const StrandSet two = strands_of({{{far, -0.6f, 0.3f * far}, {far, 0.7f, 0.3f * far + 0.1f}, r, r},
                                               {{-1, 0.02f, far}, {1, 0.03f, far + 0.1f}, r, r}});
             const ProjectedHair hair = projected(two, colors, detail, without_gap());
             CHECK(!hair.projection.opacity.gray);

@@ -23,16 +23,18 @@ inline constexpr float kLongestSplat = 1.5f;  // cells: the error of light is th
 /// kOwnStrandRadii along the strand, is longer or wider from it in any case, so that leaving it out is left to what is
 /// not one splat.
 struct SplatBounds {
-    float longest;    // segment that is one splat
-    float halved;     // longest of two splats
-    float quartered;  // longest of four, whose quarters are nearly as far away as its middle
-    float widest;     // whose parts, a quarter nearer and by their taper three quarters wider, are not wide in a cell
+    float longest;      // segment that is one splat
+    float halved;       // longest of two splats
+    float quartered;    // longest of four, whose quarters are nearly as far away as its middle
+    float widest;       // of one splat
+    float widest_part;  // of several: a part may be a quarter nearer, and three quarters wider by its taper
 
     explicit SplatBounds(float cell_size)
         : longest(std::min(kLongestSplat * cell_size, 0.25f)),
           halved(std::min(2 * longest, 0.5f)),
           quartered(std::min(4 * longest, 0.65f)),
-          widest(0.4f * std::min(kWideShare * cell_size, 0.1f)) {}
+          widest(std::min(kWideShare * cell_size, 0.1f)),
+          widest_part(0.4f * widest) {}
 };
 
 /// Squared sine between a segment and the direction to it below which it is drawn exactly: what is left of 1 - cosine^2
@@ -138,17 +140,19 @@ inline void sort_by_way(NearRows& near) {
 HWY_INLINE void splat_rows(const Igloo& igloo, const SplatBounds& bounds, const ProjectedSegments& s, size_t first,
                            size_t at, const Viewpoint& from, CellSplats& to, NearRows& near) {
     const Ints di;
-    const float width_as_length = bounds.quartered / bounds.widest;  // wider ones are drawn as if longer
     for (size_t i = 0; i < kMostLanes; i += hn::Lanes(di)) {
         const auto list_near = [&](const SeenSize& seen) {
-            const FloatVec size = hn::Max(seen.length, seen.width * set(square(width_as_length)));
-            const auto larger = [&](float than) { return size > set(square(than)); };
-            const FloatMask exact = hn::Or(larger(bounds.quartered), seen.sine < set(kEndOn));
-            const FloatMask is_near = hn::Or(larger(bounds.longest), exact);
+            const auto longer = [&](float than) { return seen.length > set(square(than)); };
+            const auto wider = [&](float than) { return seen.width > set(square(than)); };
+            const FloatMask parted = longer(bounds.longest);
+            const FloatMask never_parted = hn::Or(wider(bounds.widest), seen.sine < set(kEndOn));
+            const FloatMask exact =
+                hn::Or(hn::Or(never_parted, longer(bounds.quartered)), hn::And(parted, wider(bounds.widest_part)));
+            const FloatMask is_near = hn::Or(parted, exact);
             const auto way = [&](NearWay w) { return hn::Set(di, int32_t(w)); };
-            const IntVec parted = hn::IfThenElse(hn::RebindMask(di, larger(bounds.halved)), way(NearWay::quartered),
-                                                 way(NearWay::halved));
-            const IntVec ways = hn::IfThenElse(hn::RebindMask(di, exact), way(NearWay::exact), parted);
+            const IntVec parts = hn::IfThenElse(hn::RebindMask(di, longer(bounds.halved)), way(NearWay::quartered),
+                                                way(NearWay::halved));
+            const IntVec ways = hn::IfThenElse(hn::RebindMask(di, exact), way(NearWay::exact), parts);
             const IntVec row = counted_from(int32_t(at + i));
             append(hn::ShiftLeft<NearRows::kWayBits>(row) + ways, hn::RebindMask(di, is_near), near.all);
             return is_near;
