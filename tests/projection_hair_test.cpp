@@ -222,11 +222,11 @@ TEST_CASE("three channels of hair that is nearly gray say what the one of gray h
     }
 }
 
-// Sixteen at a time: what is left of the sixteen must not count, nor what another point left in the scratch arrays.
+// By lots that are padded to sixteens: neither padding nor what another point left in the scratch arrays counts.
 TEST_CASE("layers of which every segment is kept are all segments, however many there are") {
     ProjectionScratch scratch;
     CellLight light;
-    for (const int count : {1, 15, 17, 40}) {
+    for (const int count : {1, 15, 17, 40, 1100}) {
         CAPTURE(count);
         const StrandSet strands = random_hair(count, 0.3f, 0.003f, 9);
         Options options = without_gap();
@@ -241,4 +241,34 @@ TEST_CASE("layers of which every segment is kept are all segments, however many 
             CHECK(mean_difference(cells_of(light), seen(all, from)) < 1e-6);
         }
     }
+}
+
+// Hair seen end on from the second point is what a first one leaves: it would be drawn exactly, and add nothing, but
+// change the order of sums.
+TEST_CASE("what another point left in the scratch arrays changes no bit") {
+    std::vector<Cone> end_on;
+    for (uint64_t i = 0; i < 48; ++i) {
+        const Vec3 way = sample_uniform_sphere({random(hash(14, i), 0), random(hash(14, i), 1)});
+        end_on.push_back({2.0f * way, 2.2f * way, 0.003f, 0.003f});
+    }
+    Options options = without_gap();
+    options.projection.layer = 1e9f;
+    const Viewpoint elsewhere{Vec3(0.1f, 4, -1), kUpright, Dome::sphere, {}},
+        from{Vec3(0), random_frame(15), Dome::sphere};
+    const Attenuation fiber = even_fiber(Rgb(0.5f));  // gray: sums have more copies
+    for (const ProjectionDetail detail : {ProjectionDetail::all, ProjectionDetail::layers, ProjectionDetail::tree})
+        for (int count = 17; count < 32; ++count)
+            for (const Isa isa : supported_isas()) {
+                CAPTURE(int(detail));
+                CAPTURE(count);
+                CAPTURE(isa_name(isa));
+                const ProjectedHair before = projected(strands_of(end_on), fiber, detail, options);
+                const ProjectedHair hair = projected(random_hair(count, 2, 0.003f, 16), fiber, detail, options);
+                ProjectionScratch scratch;
+                CellLight light;
+                project(before.projection, before.segments(), elsewhere, {}, isa, scratch);
+                project(hair.projection, hair.segments(), from, {}, isa, scratch);
+                find_light(hair.projection, from, isa, scratch, light);
+                REQUIRE(cells_of(light) == seen_with(isa, hair, from, {}));
+            }
 }

@@ -18,7 +18,7 @@ inline constexpr double kFragmentSeconds = 0.27e-6;  // each texel that it touch
 // Type 2.
 inline constexpr double kPolygonRaySeconds = 1.3e-6;        // a ray from a polygon
 inline constexpr double kDirectionSeconds = 0.25e-6;        // a direction seen through its cell
-inline constexpr double kProjectedSegmentSeconds = 5.6e-9;  // a segment projected
+inline constexpr double kProjectedSegmentSeconds = 4.2e-9;  // a segment projected
 inline constexpr double kWalkSeconds = 117e-6;              // a walk of the tree: 256 cells, opening 3, and
 inline constexpr double kWalkSegments = 1.2e6;              // as many segments
 inline constexpr double kNearSeconds = 50e-6;               // the hair next to a point alone, and

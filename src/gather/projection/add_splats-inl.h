@@ -15,7 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-/// Cell of each unit direction given in the frame of the igloo, as cell_of of igloo.h; x and y may both be longer.
+/// Cell of each unit direction given in the frame of the igloo, as cell_of of igloo.h; x and y may both be
+/// larger or smaller by one factor.
 HWY_INLINE IntVec cells_of(const Igloo& igloo, FloatVec x, FloatVec y, FloatVec z) {
     const Ints di;
     const float cells = float(igloo.cells);
@@ -25,8 +26,8 @@ HWY_INLINE IntVec cells_of(const Igloo& igloo, FloatVec x, FloatVec y, FloatVec 
     const IntVec first = hn::And(row, hn::Set(di, 0xffff)), count = hn::ShiftRight<16>(row);
     const IntVec column = nearest_int(turn_of(x, y) * hn::ConvertTo(Floats(), count) - set(0.5f));
     const IntVec cell = first + hn::Min(column, count - hn::Set(di, 1));
-    const IntVec below_horizon = hn::ShiftRight<31>(hn::BitCast(di, z));  // -1 or 0
-    return cell + hn::And(below_horizon, hn::Set(di, int32_t(igloo.cells)));
+    const auto below_horizon = hn::RebindMask(di, z < hn::Zero(Floats()));
+    return cell + hn::IfThenElseZero(below_horizon, hn::Set(di, int32_t(igloo.cells)));
 }
 
 /// What a splat is of, and so the depth of one that stops the share x of its cell's light. A fiber crosses a cell in

@@ -8,6 +8,11 @@
 #define TRESS_GATHER_PROJECTION_ALL_SEGMENTS_INL_H
 #endif
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "gather/projection/arcs-inl.h"
 #include "gather/projection/projection_kernels.h"
 #include "gather/projection/segment_splats-inl.h"
 
@@ -26,7 +31,8 @@ public:
 
     /// Rows [0, rows) of `s`, a multiple of kMostLanes.
     void project(const ProjectedSegments& s, size_t rows) {
-        constexpr size_t kAtOnce = 1 << 16;
+        constexpr size_t kAtOnce = 1 << 16;  // places in their block and entries of NearRows are of 32 bits
+        static_assert(kAtOnce % kMostLanes == 0 && P::kStreams == kMostLanes);
         for (size_t first = 0; first < rows; first += kAtOnce) project(s, first, std::min(kAtOnce, rows - first));
     }
 
@@ -63,6 +69,8 @@ private:
             splats.opacity_row[at + lane] += int32_t(in_.opacity.kind[original_of(lane)]) * kOpacityRows;
     }
 
+    static constexpr int32_t kNone = std::numeric_limits<int32_t>::max();  // after all segments
+
     /// Empties the lists of near rows of `s` from `first` on.
     void draw_near(const ProjectedSegments& s, size_t first) {
         NearRows& near = scratch_.near;
@@ -88,7 +96,8 @@ private:
                 const FloatVec taper = rows(P::kTaper);
                 const IntVec segment = hn::BitCast(di, rows(P::kOriginal));
                 hn::Store(segment, di, original + i);
-                const auto from_first = segment > hn::Set(di, int32_t(unseen_.first) - int32_t(s.stands_for));
+                const int32_t before = unseen_.any() ? int32_t(unseen_.first) - int32_t(s.stands_for) : kNone;
+                const auto from_first = segment > hn::Set(di, before);
                 const auto past_last = segment > hn::Set(di, int32_t(unseen_.last));
                 const FloatMask seen = hn::RebindMask(d, hn::AndNot(hn::AndNot(past_last, from_first), listed));
                 for (size_t part = 0; part < kParts; ++part) {
@@ -140,20 +149,21 @@ template <class Depth>
 void project_chosen(const ProjectionInput& in, const Viewpoint& from, const Unseen& unseen, ProjectionScratch& scratch,
                     CellDepths<Depth>& to) {
     using P = ProjectedSegments;
-    constexpr size_t kAtOnce = 1024;
+    constexpr size_t kCopied = 1024;
     const std::vector<ChosenSegment>& chosen = scratch.chosen;
     P& some = scratch.chosen_rows;
-    if (some.rows() == 0) some = P(kAtOnce);
+    if (some.rows() == 0) some = P(kCopied);
     RowProjection projection(in, from, unseen, scratch, to);
-    for (size_t first = 0; first < chosen.size(); first += kAtOnce) {
-        const size_t count = std::min(kAtOnce, chosen.size() - first), rows = hwy::RoundUpTo(count, kMostLanes);
+    for (size_t first = 0; first < chosen.size(); first += kCopied) {
+        const size_t count = std::min(kCopied, chosen.size() - first), rows = hwy::RoundUpTo(count, kMostLanes);
         for (size_t i = 0; i < count; ++i) {
             const auto [segment, weight] = chosen[first + i];
             const size_t row = in.segments.row_of(segment);
             for (int c = 0; c < P::kColumns; ++c) some.at(i, P::Column(c)) = in.segments.at(row, P::Column(c));
             some.at(i, P::kRadius) *= weight, some.at(i, P::kTaper) *= weight;
         }
-        for (size_t i = count; i < rows; ++i) some.at(i, P::kLength) = some.at(i, P::kRadius) = 0;
+        for (size_t i = count; i < rows; ++i)
+            for (int c = 0; c < P::kColumns; ++c) some.at(i, P::Column(c)) = 0;
         projection.project(some, rows);
     }
     projection.finish();

@@ -59,7 +59,11 @@ struct Unseen {
     uint32_t first = 1, last = 0;
     Bounds box;  // of them
 
-    bool holds(uint32_t segment, uint32_t count = 1) const { return segment + count > first && segment <= last; }
+    bool any() const { return first <= last; }
+    /// Any of `count` segments from this one on.
+    bool holds(uint32_t segment, uint32_t count = 1) const {
+        return any() && segment + count > first && segment <= last;
+    }
 };
 
 }  // namespace tress

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/sampling.h"
@@ -135,7 +137,7 @@ Igloo make_igloo(uint32_t cells) {
 float turn_of(float x, float y) {
     const float ax = std::abs(x), ay = std::abs(y);
     const float high = std::max(ax, ay), low = std::min(ax, ay);
-    const float t = high > 0 ? low / high : 0;
+    const float t = low / std::max(high, std::numeric_limits<float>::min());
     const float s = t * t;
     float octant = 0;
     for (size_t i = std::size(kTurnPolynomial); i-- > 0;) octant = octant * s + kTurnPolynomial[i];

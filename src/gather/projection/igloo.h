@@ -22,7 +22,7 @@ struct Igloo {
 
     uint32_t cells = 0;               // a hemisphere
     std::vector<uint32_t> row_first;  // cells before each row, and one past the last
-    std::vector<int32_t> row_of;  // one for each cell count k: the row of heights (1 - (k + 1) / cells, 1 - k / cells],
+    std::vector<int32_t> row_of;  // one for each cell count k: the row of heights 1 - (k + 1) / cells to 1 - k / cells,
                                   // as first + count * 2^16
     std::vector<float> center_x, center_y, center_z;  // of each cell of the sphere, padded as `neighbor`
     float cell_radius = 0;                            // largest angle between a cell's middle and a direction in it

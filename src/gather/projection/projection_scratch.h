@@ -45,7 +45,7 @@ enum class NearWay { halved, quartered, exact };
 struct NearRows {
     static constexpr int kWays = 3, kWayBits = 2;
 
-    RowList all;  // row * 2^kWayBits + way
+    RowList all;  // of row * 2^kWayBits + way, in place of rows
     RowList of_way[kWays];
 };
 

@@ -19,9 +19,8 @@ namespace HWY_NAMESPACE {
 
 inline constexpr float kLongestSplat = 1.5f;  // cells: the error of light is that of shorter ones
 
-/// The largest segments that splats stand for, in distances from the point. A point's own fiber, which reaches
-/// kOwnStrandRadii along the strand, is longer or wider from it in any case, so that leaving it out is left to what is
-/// not one splat.
+/// The largest segments that splats stand for, in distances from the point. A point's own fiber reaches kOwnStrandRadii
+/// along the strand, from where even segments are longer or wider: leaving it out is left to what is not one splat.
 struct SplatBounds {
     float longest;      // segment that is one splat
     float halved;       // longest of two splats
@@ -109,7 +108,8 @@ HWY_INLINE void splat_segments(const Igloo& igloo, const Viewpoint& from, const 
     const FloatVec along = dot3(v.x, v.y, v.z, v.ux, v.uy, v.uz);
     const FloatVec across = hn::Max(middle.squared - along * along, hn::Zero(Floats()));
     const FloatVec length = v.length * middle.inverse, width = (v.radius + v.radius) * middle.inverse;
-    const SeenSize size = {length * length, width * width, across * middle.inverse * middle.inverse};
+    const FloatVec sine_squared = hn::Min(across * middle.inverse * middle.inverse, one);
+    const SeenSize size = {length * length, width * width, sine_squared};
     const FloatVec sine = hn::Sqrt(size.sine);
     const FloatVec higher = one + size.length * (set(0.5f) - set(0.625f) * size.sine);
     find_cells(igloo, from, middle, hn::IfThenZeroElse(left_out(size), length * width * sine * higher), at, to);
