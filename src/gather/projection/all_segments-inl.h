@@ -15,6 +15,7 @@
 #include "gather/projection/arcs-inl.h"
 #include "gather/projection/projection_kernels.h"
 #include "gather/projection/segment_splats-inl.h"
+#include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace tress {
@@ -46,16 +47,23 @@ private:
     using P = ProjectedSegments;
 
     void project(const ProjectedSegments& s, size_t first, size_t rows) {
+        constexpr size_t kAhead = 16 * kMostLanes;
         const SplatBounds bounds(in_.igloo.cell_size());
         CellSplats& splats = scratch_.segment_splats;
         NearRows& near = scratch_.near;
         for (size_t i = 0; i < rows; i += kMostLanes) {
+            prefetch(s, first + std::min(i + kAhead, rows - kMostLanes));
             make_room(splats, kMostLanes);
             splat_rows(in_.igloo, bounds, s, first, i, from_, splats, near);
             add_kinds([&](size_t lane) { return s.original(first + i + lane); }, splats.size - kMostLanes, splats);
             if (!near.all.has_room(kMostLanes)) draw_near(s, first);
         }
         draw_near(s, first);
+    }
+
+    /// A vector's rows. What reads memory in order on its own does not look far enough ahead.
+    static void prefetch(const ProjectedSegments& s, size_t row) {
+        for (int c = 0; c < P::kColumns; ++c) hwy::Prefetch(&s.values[s.place(row, P::Column(c))]);
     }
 
     void make_room(CellSplats& splats, size_t rows) {
