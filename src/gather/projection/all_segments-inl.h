@@ -77,7 +77,7 @@ private:
             splats.opacity_row[at + lane] += int32_t(in_.opacity.kind[original_of(lane)]) * kOpacityRows;
     }
 
-    static constexpr int32_t kNone = std::numeric_limits<int32_t>::max();  // after all segments
+    static constexpr int32_t kAfterAll = std::numeric_limits<int32_t>::max();  // segments
 
     /// Empties the lists of near rows of `s` from `first` on.
     void draw_near(const ProjectedSegments& s, size_t first) {
@@ -104,7 +104,7 @@ private:
                 const FloatVec taper = rows(P::kTaper);
                 const IntVec segment = hn::BitCast(di, rows(P::kOriginal));
                 hn::Store(segment, di, original + i);
-                const int32_t before = unseen_.any() ? int32_t(unseen_.first) - int32_t(s.stands_for) : kNone;
+                const int32_t before = unseen_.any() ? int32_t(unseen_.first) - int32_t(s.stands_for) : kAfterAll;
                 const auto from_first = segment > hn::Set(di, before);
                 const auto past_last = segment > hn::Set(di, int32_t(unseen_.last));
                 const FloatMask seen = hn::RebindMask(d, hn::AndNot(hn::AndNot(past_last, from_first), listed));
