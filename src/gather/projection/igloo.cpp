@@ -94,20 +94,19 @@ void find_centers(Igloo& igloo) {
     }
 }
 
-/// Of the samples of half a cell that the mirror's plane halves: eight places across, each at a height of its own.
-constexpr int kHeights[8] = {0, 4, 2, 6, 1, 5, 3, 7};
-
 void find_samples(Igloo& igloo) {
+    constexpr int kSide = Igloo::kSampleSide;
+    static_assert(Igloo::kSamples == kSide * kSide && kSide % 2 == 0);
     for (auto* row : {&igloo.sample_x, &igloo.sample_y, &igloo.sample_z}) row->clear();
     float least_cosine = 1;
     for (uint32_t cell = 0; cell < igloo.cells; ++cell) {
         const Vec3 middle(igloo.center_x[cell], igloo.center_y[cell], igloo.center_z[cell]);
-        for (int i = 0; i < 4; ++i)
-            for (int j = 0; j < 4; ++j) {
-                const Vec2 u((float(4 * i + j) + 0.5f) / 16, (float(4 * j + i) + 0.5f) / 16);
-                const int pair = 2 * i + j % 2;
-                const Vec2 halved((float(kHeights[pair]) + 0.5f) / 8, (float(pair) + 0.5f) / 16);
-                const Vec3 sample = mirrored_direction(igloo, cell, u, halved, j >= 2);
+        for (int i = 0; i < kSide; ++i)
+            for (int j = 0; j < kSide; ++j) {
+                const float height = (float(i) + 0.5f) / kSide;
+                const auto place = [&](int column) { return Vec2(height, (float(column) + 0.5f) / kSide); };
+                const Vec3 sample =
+                    mirrored_direction(igloo, cell, place(j), place(std::min(j, kSide - 1 - j)), 2 * j >= kSide);
                 igloo.sample_x.push_back(sample.x), igloo.sample_y.push_back(sample.y);
                 igloo.sample_z.push_back(sample.z);
             }

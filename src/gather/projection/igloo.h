@@ -17,7 +17,8 @@ enum class Dome { hemisphere, sphere };  // at polygons, at hair
 
 struct Igloo {
     static constexpr uint32_t kFewestCells = 4, kMostCells = 1 << 14;  // a hemisphere
-    static constexpr size_t kSamples = 16;                             // directions of a cell
+    static constexpr int kSampleSide = 4;                              // rows and columns of a cell's samples
+    static constexpr size_t kSamples = 16;                             // directions of a cell: kSampleSide squared
     static constexpr size_t kPadding = 16;                             // entries past the last, for whole vectors
 
     uint32_t cells = 0;               // a hemisphere
@@ -26,8 +27,8 @@ struct Igloo {
                                   // as first + count * 2^16
     std::vector<float> center_x, center_y, center_z;  // of each cell of the sphere, padded as `neighbor`
     float cell_radius = 0;                            // largest angle between a cell's middle and a direction in it
-    std::vector<float> sample_x, sample_y, sample_z;  // kSamples of each cell of the upper hemisphere, one in each
-                                                      // sixteenth of its height, of its width, and of its area
+    std::vector<float> sample_x, sample_y, sample_z;  // kSamples of each cell of the upper hemisphere, in even rows of
+                                                      // height and columns of azimuth
     std::vector<int32_t> neighbor;  // 4 x (2 cells): left, right, nearest above and below, over the sphere
 
     uint32_t rows() const { return uint32_t(row_first.size()) - 1; }

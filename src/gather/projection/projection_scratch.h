@@ -19,7 +19,7 @@ struct WideFiber {
     std::vector<Rgbx> absorbed;     // share of each cell's light, one a cell of the sphere; 0 outside the list
     std::vector<uint32_t> touched;  // cells
     std::vector<std::pair<uint32_t, uint32_t>>
-        covered;  // by the piece being drawn: a cell, and how many of its samples
+        covered;  // by the piece being drawn: a cell, and how much of it, in parts of its samples
 };
 
 /// A segment that stands for `weight` like it.

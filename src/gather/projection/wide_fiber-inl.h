@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pieces of hair that are wide in a cell: each cell that one may cover is tried in the directions of its samples. What
-// a fiber stops is summed over its pieces before it becomes depth: they cover a cell side by side, not one behind
-// another.
+// Pieces of hair that are wide in a cell: of each cell that one may cover, the squares about its samples are asked how
+// much of them lies within the piece's edges. What a fiber stops is summed over its pieces before it becomes depth:
+// they cover a cell side by side, not one behind another.
 #if defined(TRESS_GATHER_PROJECTION_WIDE_FIBER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRESS_GATHER_PROJECTION_WIDE_FIBER_INL_H
 #undef TRESS_GATHER_PROJECTION_WIDE_FIBER_INL_H
@@ -98,17 +98,32 @@ HWY_INLINE FloatMask near_piece(const WidePiece& p, FloatVec x, FloatVec y, Floa
     return hn::And(hn::And(beside, within), ahead >= hn::Neg(around));
 }
 
-/// Of a vector of directions, which meet the piece.
-HWY_INLINE FloatMask meets(const WidePiece& p, FloatVec x, FloatVec y, FloatVec z) {
+/// How much of a square lies between two edges, from the sines of the angles of its middle to each, positive within:
+/// exact where its sides, of which `to_radian` make a radian, are along them.
+HWY_INLINE FloatVec share_between(FloatVec one_edge, FloatVec other, FloatVec to_radian) {
+    const FloatVec zero = hn::Zero(Floats()), half = set(0.5f), one = set(1.0f);
+    const auto within = [&](FloatVec edge) { return hn::Clamp(half + edge * to_radian, zero, one); };
+    return hn::Max(within(one_edge) + within(other) - one, zero);
+}
+
+/// Of a vector of directions, how much of the squares about them the piece covers.
+HWY_INLINE FloatVec covered_share(const WidePiece& p, FloatVec x, FloatVec y, FloatVec z, FloatVec to_radian) {
+    const FloatVec one = set(1.0f), first = set(p.first), last = set(p.last), tiny = set(1e-30f);
     const FloatVec along = dot3(x, y, z, set(p.u.x), set(p.u.y), set(p.u.z));
     const FloatVec ahead = dot3(x, y, z, set(p.n.x), set(p.n.y), set(p.n.z));
     const FloatVec aside = dot3(x, y, z, set(p.b.x), set(p.b.y), set(p.b.z));
-    const FloatVec squared = hn::Max(ahead * ahead + aside * aside, set(1e-12f));
-    const FloatVec place = set(p.foot) * ahead * along / squared;
-    const FloatVec radius = set(p.first_radius) + set(p.taper) * (place - set(p.first));
-    const FloatMask beside = set(p.foot) * hn::Abs(aside) <= radius * hn::Sqrt(squared);
-    const FloatMask within = hn::And(place >= set(p.first), place <= set(p.last));
-    return hn::And(hn::And(beside, within), ahead > hn::Zero(Floats()));
+    const FloatVec q = hn::Sqrt(hn::Max(ahead * ahead + aside * aside, set(1e-12f)));
+    const FloatVec near = set(p.foot) * hn::Max(ahead, hn::Zero(Floats())) / q;  // distance of the axis there
+    const FloatVec place = hn::Clamp(near * along / q, first, last);
+    // The half planes through the axis that bound it, and the planes across of its ends.
+    const FloatVec sine = hn::Min((set(p.first_radius) + set(p.taper) * (place - first)) / set(p.foot), one);
+    const FloatVec cosine = hn::Sqrt(one - sine * sine);
+    const FloatVec in_front = sine * ahead, to_side = cosine * aside;
+    const auto beyond = [&](FloatVec end) {
+        return (along * near - q * end) / hn::Sqrt(hn::Max(end * end + near * near, tiny));
+    };
+    return share_between(in_front - to_side, in_front + to_side, to_radian) *
+           share_between(beyond(first), hn::Neg(beyond(last)), to_radian);
 }
 
 /// Calls on_cell(cell) for each of the first `cells` that may see the piece, in order.
@@ -125,25 +140,30 @@ HWY_INLINE void for_cells_near(const Igloo& igloo, size_t cells, const WidePiece
     }
 }
 
-/// How many of a cell's samples have directions that meet the piece.
-HWY_INLINE size_t samples_met(const Igloo& igloo, size_t cell, const WidePiece& piece) {
+/// How much of a cell's samples' squares the piece covers, in parts of kSamplePart: whole numbers, so that sums are the
+/// same whatever the vectors hold.
+inline constexpr int32_t kSamplePart = 1 << 12;
+HWY_INLINE uint32_t parts_covered(const Igloo& igloo, size_t cell, const WidePiece& piece) {
     const Floats d;
     const bool lower = cell >= igloo.cells;
     const size_t first = (lower ? cell - igloo.cells : cell) * Igloo::kSamples;
     const FloatVec up = set(lower ? -1.0f : 1.0f);
-    size_t met = 0;
-    for (size_t i = first; i < first + Igloo::kSamples; i += hn::Lanes(d))
-        met += hn::CountTrue(d, meets(piece, hn::LoadU(d, &igloo.sample_x[i]), hn::LoadU(d, &igloo.sample_y[i]),
-                                      up * hn::LoadU(d, &igloo.sample_z[i])));
-    return met;
+    const FloatVec to_radian = set(float(Igloo::kSampleSide) / igloo.cell_size());
+    IntVec parts = hn::Zero(Ints());
+    for (size_t i = first; i < first + Igloo::kSamples; i += hn::Lanes(d)) {
+        const FloatVec share = covered_share(piece, hn::LoadU(d, &igloo.sample_x[i]), hn::LoadU(d, &igloo.sample_y[i]),
+                                             up * hn::LoadU(d, &igloo.sample_z[i]), to_radian);
+        parts = parts + nearest_int(share * set(float(kSamplePart)));
+    }
+    return uint32_t(hn::GetLane(hn::SumOfLanes(Ints(), parts)));
 }
 
-/// Share of a cell that a sample stands for: all those met cover the piece's solid angle, but for one so wide that
-/// samples say it better than three angles about its axis. With none met, the piece is smaller than what a sample
-/// stands for, and this is its own share.
-inline float share_of_sample(const Igloo& igloo, const WidePiece& piece, size_t samples) {
-    if (samples > 0 && piece.widest > 0.7f * piece.foot) return 1.0f / Igloo::kSamples;
-    return solid_angle(piece) / (igloo.solid_angle() * float(std::max<size_t>(samples, 1)));
+/// Share of a cell that a part of a sample stands for: all those covered make up the piece's solid angle, but for one
+/// so wide that samples say it better than three angles about its axis. With none, the piece is smaller than a part,
+/// and this is its own share.
+inline float share_of_part(const Igloo& igloo, const WidePiece& piece, uint32_t parts) {
+    if (parts > 0 && piece.widest > 0.7f * piece.foot) return 1.0f / (kSamplePart * Igloo::kSamples);
+    return solid_angle(piece) / (igloo.solid_angle() * float(std::max(parts, 1u)));
 }
 
 /// Adds what the piece stops to the sums of its fiber.
@@ -151,19 +171,19 @@ inline void cover(const Igloo& igloo, const Viewpoint& from, const HairOpacity& 
                   WideFiber& to) {
     const WidePiece piece(arc, from.frame, igloo.cell_radius);
     const size_t cells = igloo.cells_of(from.dome);
-    size_t samples = 0;
+    uint32_t parts = 0;
     to.covered.clear();
     for_cells_near(igloo, 2 * igloo.cells, piece, [&](size_t cell) {
-        const size_t met = samples_met(igloo, cell, piece);
-        samples += met;
-        if (met > 0 && cell < cells) to.covered.push_back({uint32_t(cell), uint32_t(met)});
+        const uint32_t covered = parts_covered(igloo, cell, piece);
+        parts += covered;
+        if (covered > 0 && cell < cells) to.covered.push_back({uint32_t(cell), covered});
     });
-    if (samples == 0) {
+    if (parts == 0) {
         const uint32_t cell = cell_of(igloo, middle_of(piece));
         if (cell < cells) to.covered.push_back({cell, 1});
     }
-    const float share = share_of_sample(igloo, piece, samples);
-    for (const auto& [cell, met] : to.covered) {
+    const float share = share_of_part(igloo, piece, parts);
+    for (const auto& [cell, covered] : to.covered) {
         const Vec3 w(igloo.center_x[cell], igloo.center_y[cell], igloo.center_z[cell]);
         const float ahead = dot(w, piece.n), aside = dot(w, piece.b);
         size_t of_sums = cell;
@@ -176,7 +196,7 @@ inline void cover(const Igloo& igloo, const Viewpoint& from, const HairOpacity& 
         const float sine = std::min(std::sqrt(ahead * ahead + aside * aside), 1.0f);
         const int32_t row = arc.first_opacity_row + int32_t(sine * float(kOpacityRows - 1) + 0.5f);
         const Rgbx& o = opacity.row[size_t(row)];
-        for (int c = 0; c < 3; ++c) sum.c[c] += share * float(met) * o.c[c];
+        for (int c = 0; c < 3; ++c) sum.c[c] += share * float(covered) * o.c[c];
         sum.c[3] = 1;
     }
 }
