@@ -150,6 +150,37 @@ TEST_CASE("seventy thousand segments cover the sum of their exact solid angles")
     }
 }
 
+// A splat is one cell's, and segments differ in width: one in another's cell is seen in two. Its solid angle is right
+// to a few roundings and, of 1 / distance^2, 2e-5.
+TEST_CASE("far hair covers the cell of its direction") {
+    constexpr float kDistance = 100, kLength = 0.01f;
+    for (const int cells : {64, 256, 1000}) {
+        Options options = without_gap();
+        options.projection.cells = cells;
+        const Igloo igloo = make_igloo(uint32_t(cells));
+        std::vector<Cone> cones;
+        for (uint32_t cell = 0; cell < igloo.cells_of(Dome::sphere); ++cell) {
+            const Vec2 u(0.05f + 0.9f * random(cell, 0), 0.05f + 0.9f * random(cell, 1));
+            const Vec3 w = direction_in(igloo, cell, u), half = 0.5f * kLength * frame_about(w).x;
+            const float radius = 1e-4f * (1 + float(cell) / float(cells));
+            cones.push_back({kDistance * w - half, kDistance * w + half, radius, radius});
+        }
+        const ProjectedHair hair =
+            projected(strands_of(cones), even_fiber(Rgb(kFaint)), ProjectionDetail::all, options);
+        for (const Isa isa : supported_isas()) {
+            const std::vector<double> covered = coverage(hair, {Vec3(0), kUpright, Dome::sphere}, double(kFaint), isa);
+            int wrong = 0;
+            for (size_t cell = 0; cell < covered.size(); ++cell) {
+                const double share = solid_angle(cones[cell], Vec3(0)) / double(igloo.solid_angle());
+                wrong += !(std::abs(covered[cell] - share) < 1e-4 * share);
+            }
+            CAPTURE(cells);
+            CAPTURE(isa_name(isa));
+            CHECK(wrong == 0);
+        }
+    }
+}
+
 TEST_CASE("a hemisphere is the upper half of the sphere") {
     for (const ProjectionDetail detail : kDetails) {
         CAPTURE(int(detail));

@@ -57,6 +57,12 @@ HWY_INLINE void add_depth(Rgbx& cell, const Rgbx& opacity, float coverage) {
     }
 }
 
+/// opacity_row of hair_opacity.h.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> opacity_rows(D d, hn::Vec<D> cos_theta) {
+    return nearest_int(d, cos_theta * hn::Set(d, float(kOpacityRows - 1)));
+}
+
 /// A vector of places about a point, and what is between.
 struct SeenPlaces {
     FloatVec x, y, z, squared, inverse;  // squared distance, 1 / distance

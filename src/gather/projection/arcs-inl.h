@@ -95,14 +95,13 @@ HWY_INLINE void draw_arc(const ArcRow& arc, Splats& to) {
             const FloatVec in_means = one + set(arc.taper) * (s - set(0.5f * arc.length));
             covered = covered * in_means;
         }
-        const FloatVec row = cos_psi * set(float(kOpacityRows - 1)) + set(0.5f);
         const FloatVec distance = set(arc.foot) * inverse_cos;
         const FloatVec along = distance * sin_psi, across = distance * cos_psi;
         hn::StoreU(along * set(arc.axis.x) + across * set(arc.normal.x), d, &to.x[to.size + i]);
         hn::StoreU(along * set(arc.axis.y) + across * set(arc.normal.y), d, &to.y[to.size + i]);
         hn::StoreU(along * set(arc.axis.z) + across * set(arc.normal.z), d, &to.z[to.size + i]);
         hn::StoreU(covered, d, &to.solid_angle[to.size + i]);
-        hn::StoreU(hn::ConvertTo(di, row) + hn::Set(di, arc.first_opacity_row), di, &to.opacity_row[to.size + i]);
+        hn::StoreU(opacity_rows(d, cos_psi) + hn::Set(di, arc.first_opacity_row), di, &to.opacity_row[to.size + i]);
     }
     to.size += arc.steps;
 }

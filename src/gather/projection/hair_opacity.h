@@ -3,6 +3,7 @@
 // inclination together. Strands with colours of their own are sorted into kinds of nearly equal absorption.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct alignas(16) Rgbx {
 };
 
 inline constexpr int kOpacityRows = 128;  // a kind; even in cos(theta), row 0 is grazing
+
+/// Row of a kind, for cos_theta in [0, 1].
+inline int32_t opacity_row(float cos_theta) { return int32_t(std::nearbyint(cos_theta * float(kOpacityRows - 1))); }
 
 struct HairOpacity {
     std::vector<Rgbx> row;       // kinds x kOpacityRows

@@ -73,10 +73,9 @@ HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, con
         hn::Store(projected * inverse_squared, d, seen.solid_angle + i);
         const CubeVec share = hn::Set(d, splats_at_reach * reach * reach) * inverse_squared;
         hn::Store(hn::Min(hn::Ceil(share), hn::Set(d, float(kMostSubSplats))), d, seen.splats + i);
-        const CubeVec row = hn::Min(sine, one) * hn::Set(d, float(kOpacityRows - 1)) + hn::Set(d, 0.5f);
         const auto kind = hn::Load(di, b.kind + i);
-        hn::Store(hn::ConvertTo(di, row) + hn::ShiftLeft<std::countr_zero(unsigned(kOpacityRows))>(kind), di,
-                  seen.opacity_row + i);
+        hn::Store(opacity_rows(d, hn::Min(sine, one)) + hn::ShiftLeft<std::countr_zero(unsigned(kOpacityRows))>(kind),
+                  di, seen.opacity_row + i);
         uint8_t hair[8] = {}, near[8] = {};
         hn::StoreMaskBits(d, area > zero, hair);
         const auto meets = [&](const CubeVec& v, const float* half, float own_middle, float own_half) {

@@ -113,7 +113,7 @@ HWY_INLINE void splat_segments(const Igloo& igloo, const Viewpoint& from, const 
     const FloatVec sine = hn::Sqrt(size.sine);
     const FloatVec higher = one + size.length * (set(0.5f) - set(0.625f) * size.sine);
     find_cells(igloo, from, middle, hn::IfThenZeroElse(left_out(size), length * width * sine * higher), at, to);
-    hn::StoreU(nearest_int(sine * set(float(kOpacityRows - 1))), di, &to.opacity_row[at]);
+    hn::StoreU(opacity_rows(Floats(), sine), di, &to.opacity_row[at]);
 }
 
 /// Appends those of a vector of rows.

@@ -93,10 +93,13 @@ HWY_INLINE hn::Vec<D> minus_log_of_rest(D d, hn::Vec<D> x) {
 
 /// Nearest whole number of |x| < 2^21, as std::nearbyint: the sum's last bits are it, where ConvertTo of Highway asks
 /// of every lane whether it is too large.
-HWY_INLINE IntVec nearest_int(FloatVec x) {
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> nearest_int(D d, hn::Vec<D> x) {
     constexpr float kShift = 0x1.8p23f;
-    return hn::BitCast(Ints(), x + set(kShift)) - hn::Set(Ints(), std::bit_cast<int32_t>(kShift));
+    const hn::RebindToSigned<D> di;
+    return hn::BitCast(di, x + hn::Set(d, kShift)) - hn::Set(di, std::bit_cast<int32_t>(kShift));
 }
+HWY_INLINE IntVec nearest_int(FloatVec x) { return nearest_int(Floats(), x); }
 
 /// Azimuth of (x, y) in turns, as turn_of of igloo.h.
 HWY_INLINE FloatVec turn_of(FloatVec x, FloatVec y) {

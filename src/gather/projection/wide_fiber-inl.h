@@ -194,7 +194,7 @@ inline void cover(const Igloo& igloo, const Viewpoint& from, const HairOpacity& 
         Rgbx& sum = to.absorbed[of_sums];
         if (sum.c[3] == 0) to.touched.push_back(uint32_t(of_sums));
         const float sine = std::min(std::sqrt(ahead * ahead + aside * aside), 1.0f);
-        const int32_t row = arc.first_opacity_row + int32_t(sine * float(kOpacityRows - 1) + 0.5f);
+        const int32_t row = arc.first_opacity_row + opacity_row(sine);
         const Rgbx& o = opacity.row[size_t(row)];
         for (int c = 0; c < 3; ++c) sum.c[c] += share * float(covered) * o.c[c];
         sum.c[3] = 1;
