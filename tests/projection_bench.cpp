@@ -86,20 +86,24 @@ std::vector<ShadingPoint> seen_points(const Scene& scene, const PreparedScene& p
     return kept;
 }
 
+/// One ray a cell of an igloo of `count` cells, or several where there is none so fine.
 Irradiance by_rays(const PreparedScene& prepared, const Options& options, const ShadingPoint& point,
                    const Viewpoint& from, int count) {
-    const Igloo igloo = make_igloo(uint32_t(std::clamp(count / 2, 4, 16384)));
-    const uint32_t cells = igloo.cells_of(from.dome);
-    RayBuffer rays;
-    for (uint32_t cell = 0; cell < cells; ++cell) {
-        const uint64_t key = hash(hash(0x7472757468, cell), std::bit_cast<uint32_t>(point.position.x));
-        const float u = random(key, 0), v = random(key, 1);
-        rays.add(point.position, from.frame.to_world(direction_in(igloo, cell, {u, v})), kInfinity, point.excluded);
-    }
-    std::vector<Rgb> through(rays.size());
-    transmittance(prepared.hair, rays.for_hair(), prepared.attenuation, options.cutoff, through, options.isa);
+    const int upper = from.dome == Dome::sphere ? count / 2 : count;
+    const Igloo igloo = make_igloo(uint32_t(std::clamp(upper, int(Igloo::kFewestCells), int(Igloo::kMostCells))));
+    const uint32_t cells = igloo.cells_of(from.dome), rounds = std::max(uint32_t(upper) / igloo.cells, 1u);
     Irradiance sum;
-    for (uint32_t i = 0; i < cells; ++i) add_light(rays.direction(i), through[i], 1.0 / cells, sum);
+    for (uint32_t round = 0; round < rounds; ++round) {
+        RayBuffer rays;
+        for (uint32_t cell = 0; cell < cells; ++cell) {
+            const uint64_t key = hash(hash(0x7472757468 + round, cell), std::bit_cast<uint32_t>(point.position.x));
+            const float u = random(key, 0), v = random(key, 1);
+            rays.add(point.position, from.frame.to_world(direction_in(igloo, cell, {u, v})), kInfinity, point.excluded);
+        }
+        std::vector<Rgb> through(rays.size());
+        transmittance(prepared.hair, rays.for_hair(), prepared.attenuation, options.cutoff, through, options.isa);
+        for (uint32_t i = 0; i < cells; ++i) add_light(rays.direction(i), through[i], 1.0 / cells / rounds, sum);
+    }
     return sum;
 }
 
