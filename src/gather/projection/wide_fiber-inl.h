@@ -98,12 +98,14 @@ HWY_INLINE FloatMask near_piece(const WidePiece& p, FloatVec x, FloatVec y, Floa
     return hn::And(hn::And(beside, within), ahead >= hn::Neg(around));
 }
 
-/// How much of a square lies between two edges, from the sines of the angles of its middle to each, positive within:
-/// exact where its sides, of which `to_radian` make a radian, are along them.
-HWY_INLINE FloatVec share_between(FloatVec one_edge, FloatVec other, FloatVec to_radian) {
-    const FloatVec zero = hn::Zero(Floats()), half = set(0.5f), one = set(1.0f);
-    const auto within = [&](FloatVec edge) { return hn::Clamp(half + edge * to_radian, zero, one); };
-    return hn::Max(within(one_edge) + within(other) - one, zero);
+/// How much of a square is within an edge, from the sine of the angle of its middle to it, positive within: exact where
+/// its sides, of which `to_radian` make a radian, are along the edge.
+HWY_INLINE FloatVec share_within(FloatVec edge, FloatVec to_radian) {
+    return hn::Clamp(set(0.5f) + edge * to_radian, hn::Zero(Floats()), set(1.0f));
+}
+/// The same between two edges that face each other.
+HWY_INLINE FloatVec share_between(FloatVec within_one, FloatVec within_other) {
+    return hn::Max(within_one + within_other - set(1.0f), hn::Zero(Floats()));
 }
 
 /// Of a vector of directions, how much of the squares about them the piece covers.
@@ -122,8 +124,12 @@ HWY_INLINE FloatVec covered_share(const WidePiece& p, FloatVec x, FloatVec y, Fl
     const auto beyond = [&](FloatVec end) {
         return (along * near - q * end) / hn::Sqrt(hn::Max(end * end + near * near, tiny));
     };
-    return share_between(in_front - to_side, in_front + to_side, to_radian) *
-           share_between(beyond(first), hn::Neg(beyond(last)), to_radian);
+    // The half planes of a piece next to its point are nearly one.
+    const FloatVec left = share_within(in_front - to_side, to_radian),
+                   right = share_within(in_front + to_side, to_radian);
+    const FloatVec beside = hn::IfThenElse(sine > cosine, hn::Min(left, right), share_between(left, right));
+    return beside *
+           share_between(share_within(beyond(first), to_radian), share_within(hn::Neg(beyond(last)), to_radian));
 }
 
 /// Calls on_cell(cell) for each of the first `cells` that may see the piece, in order.
