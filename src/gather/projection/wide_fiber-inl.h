@@ -146,9 +146,9 @@ HWY_INLINE void for_cells_near(const Igloo& igloo, size_t cells, const WidePiece
     }
 }
 
-/// How much of a cell's samples' squares the piece covers, in parts of kSamplePart: whole numbers, so that sums are the
-/// same whatever the vectors hold.
-inline constexpr int32_t kSamplePart = 1 << 12;
+inline constexpr int32_t kSampleParts = 1 << 12;  // of a sample's square: whole numbers, whose sums have no order
+
+/// How many parts of the squares about a cell's samples the piece covers.
 HWY_INLINE uint32_t parts_covered(const Igloo& igloo, size_t cell, const WidePiece& piece) {
     const Floats d;
     const bool lower = cell >= igloo.cells;
@@ -159,7 +159,7 @@ HWY_INLINE uint32_t parts_covered(const Igloo& igloo, size_t cell, const WidePie
     for (size_t i = first; i < first + Igloo::kSamples; i += hn::Lanes(d)) {
         const FloatVec share = covered_share(piece, hn::LoadU(d, &igloo.sample_x[i]), hn::LoadU(d, &igloo.sample_y[i]),
                                              up * hn::LoadU(d, &igloo.sample_z[i]), to_radian);
-        parts = parts + nearest_int(share * set(float(kSamplePart)));
+        parts = parts + nearest_int(share * set(float(kSampleParts)));
     }
     return uint32_t(hn::GetLane(hn::SumOfLanes(Ints(), parts)));
 }
@@ -168,7 +168,7 @@ HWY_INLINE uint32_t parts_covered(const Igloo& igloo, size_t cell, const WidePie
 /// so wide that samples say it better than three angles about its axis. With none, the piece is smaller than a part,
 /// and this is its own share.
 inline float share_of_part(const Igloo& igloo, const WidePiece& piece, uint32_t parts) {
-    if (parts > 0 && piece.widest > 0.7f * piece.foot) return 1.0f / (kSamplePart * Igloo::kSamples);
+    if (parts > 0 && piece.widest > 0.7f * piece.foot) return 1.0f / (kSampleParts * Igloo::kSamples);
     return solid_angle(piece) / (igloo.solid_angle() * float(std::max(parts, 1u)));
 }
 
