@@ -124,11 +124,17 @@ TEST_CASE("directions in a cell are of unit length and are found in it again") {
 TEST_CASE("a cell's samples are in it, and no direction in it is farther from its middle than cells reach") {
     for (const uint32_t cells : {4u, 64u, 1000u}) {
         const Igloo igloo = make_igloo(cells);
-        REQUIRE(igloo.sample_x.size() == Igloo::kSamples * size_t(cells));
-        for (uint32_t cell = 0; cell < cells; ++cell) {
+        for (uint32_t cell = 0; cell < 2 * cells; ++cell) {
             const Vec3 middle(igloo.center_x[cell], igloo.center_y[cell], igloo.center_z[cell]);
-            for (size_t i = Igloo::kSamples * cell; i < Igloo::kSamples * (cell + 1); ++i)
-                REQUIRE(cell_of(igloo, {igloo.sample_x[i], igloo.sample_y[i], igloo.sample_z[i]}) == cell);
+            const SampleRows samples = igloo.samples_of(cell);
+            for (size_t i = 0; i < Igloo::kSamples; ++i) {
+                const size_t column = i % Igloo::kColumnEntries;
+                const Vec3 sample(samples.radius[i] * samples.cosine[column], samples.radius[i] * samples.sine[column],
+                                  samples.up * samples.height[i]);
+                REQUIRE(cell_of(igloo, sample) == cell);
+                REQUIRE(samples.slope[i] == samples.height[i] / samples.radius[i]);
+                CHECK(length(sample) == doctest::Approx(1).epsilon(1e-6));
+            }
             for (uint64_t i = 0; i < 20; ++i) {
                 const Vec3 w = direction_in(igloo, cell, {tress::random(i, 0), tress::random(i, 1)});
                 CHECK(dot(w, middle) >= std::cos(igloo.cell_radius) - 1e-5f);

@@ -10,13 +10,16 @@
 namespace tress {
 namespace {
 
+/// Of hair of which samples are asked: as the area, in cells, that it is within. Of a point at the defaults.
+double cost_of_near(float near) { return (1 + 0.018 / square(double(near))) / 1.147; }
+
 /// Of one point of hair. Cells and cubes cost by measured powers (docs/projection.md); layers and simplified hair as
 /// what they keep.
 double seconds_of_projection(const ProjectionOptions& o, ProjectionDetail detail, double segments) {
     switch (detail) {
         case ProjectionDetail::tree:
             return kWalkSeconds * std::pow(o.cells / 256.0, 1.2) * std::pow(3 / double(o.opening), 1.7) *
-                   std::pow(segments / kWalkSegments, 0.2);
+                   std::pow(segments / kWalkSegments, 0.2) * cost_of_near(o.near);
         case ProjectionDetail::simplified:
             return kProjectedSegmentSeconds * segments * double(o.share) / o.stride;
         default:

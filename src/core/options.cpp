@@ -120,6 +120,7 @@ std::vector<OptionField> option_fields(Options& o) {
         {"projection.probe_cells", &j.probe_cells, 4, 4096, "a hemisphere of such a corner, a ray to polygons each"},
         {"projection.far_field", choice(j.far_field, kFarFieldNames), 0, 0,
          "hair that is not next to a point as seen from such a corner (tree)"},
+        {"projection.near", &j.near, 0.01, 0.45, "share of a cell; wider hair is told apart by 64 samples of each"},
         {"projection.opening", &j.opening, 0.1, 16, "cells; larger cubes are opened (tree)"},
         {"projection.splats", &j.splats, 0.1, 16, "that stand for a cube as large as a cell (tree)"},
         {"projection.leaf", &j.leaf, 1, 4096, "pieces of hair that a cube may keep undivided (tree)"},

@@ -87,6 +87,7 @@ struct ProjectionOptions {
     int probes = 0;         // cubes across the hair whose corners see what lies beyond; 0: 64, or 128 with far_field
     int probe_cells = 256;  // a hemisphere of a probe, a ray to polygons each
     FarField far_field = FarField::automatic;  // tree: points share far hair, as these corners see it
+    float near = 0.35f;                        // share of a cell: wider hair is told apart by samples of cells
     float opening = 3;                         // tree: cubes larger than this many cells are opened
     float splats = 2;                          // tree: that stand for a cube as large as a cell
     int leaf = 16;                             // tree: pieces of hair that a cube may keep undivided

@@ -40,7 +40,7 @@ public:
     /// Draws what is left of all rows.
     void finish() {
         add_to_cells(in_.opacity, scratch_.segment_splats, to_);
-        finish_pieces(in_.igloo, from_, in_.opacity, scratch_, to_);
+        finish_pieces(in_, from_, scratch_, to_);
     }
 
 private:
@@ -48,9 +48,9 @@ private:
 
     void project(const ProjectedSegments& s, size_t first, size_t rows) {
         constexpr size_t kAhead = 16 * kMostLanes;
-        const SplatBounds bounds(in_.igloo.cell_size());
+        const SplatBounds bounds(in_.igloo.cell_size(), in_.near);
         CellSplats& splats = scratch_.segment_splats;
-        NearRows& near = scratch_.near;
+        NearRows& near = scratch_.near_rows;
         for (size_t i = 0; i < rows; i += kMostLanes) {
             prefetch(s, first + std::min(i + kAhead, rows - kMostLanes));
             make_room(splats, kMostLanes);
@@ -81,7 +81,7 @@ private:
 
     /// Empties the lists of near rows of `s` from `first` on.
     void draw_near(const ProjectedSegments& s, size_t first) {
-        NearRows& near = scratch_.near;
+        NearRows& near = scratch_.near_rows;
         sort_by_way(near);
         draw_parts<2>(s, first, near.of_way[int(NearWay::halved)]);
         draw_parts<4>(s, first, near.of_way[int(NearWay::quartered)]);
@@ -128,7 +128,7 @@ private:
             const size_t row = first + size_t(list.row[i]);
             const uint32_t original = s.original(row);
             if (unseen_.holds(original, s.stands_for)) continue;
-            if (scratch_.pieces.full()) draw_pieces(in_.igloo, from_, in_.opacity, scratch_, to_);
+            if (scratch_.pieces.full()) draw_pieces(in_, from_, scratch_, to_);
             const Vec3 middle = s.middle(row) - from_.position, half = 0.5f * s.at(row, P::kLength) * s.tangent(row);
             const float radius = s.at(row, P::kRadius), taper = s.at(row, P::kTaper);
             scratch_.pieces.add(middle - half, middle + half, radius - taper, radius + taper, 0,

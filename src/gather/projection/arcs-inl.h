@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pieces of hair next to a point, drawn along the arcs that they are seen as, in steps that are small in a cell; wide
-// ones cell by cell (wide_fiber-inl.h).
+// Pieces of hair next to a point, drawn along the arcs that they are seen as, in steps that are small in a cell; those
+// that are not thin in a cell, sample by sample (near_fiber-inl.h, wide_fiber-inl.h).
 #if defined(TRESS_GATHER_PROJECTION_ARCS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRESS_GATHER_PROJECTION_ARCS_INL_H
 #undef TRESS_GATHER_PROJECTION_ARCS_INL_H
@@ -12,14 +12,17 @@
 #include <cmath>
 
 #include "gather/projection/add_splats-inl.h"
+#include "gather/projection/projection_kernels.h"
 #include "gather/projection/wide_fiber-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-inline constexpr float kArcStep = 0.5f;      // of a cell's size, along an arc
-inline constexpr float kWideShare = 0.45f;   // of a cell's size: wider pieces are drawn cell by cell
+inline constexpr float kArcStep = 0.5f;     // of a cell's size, along an arc
+inline constexpr float kWideShare = 0.45f;  // of a cell's size: wider pieces are near ones, whatever the option says
+inline constexpr float kThinCells = 1.5f;   // and no wider than that, and than kThinWidth, is a near piece that is thin
+inline constexpr float kThinWidth = 0.25f;
 inline constexpr float kMostArcSteps = 512;  // in half a turn, however small the cells
 
 inline constexpr float kThrough = 2e-5f;  // of its distance: what passes nearer to the point goes through it
@@ -119,46 +122,82 @@ inline ArcRow arc_of(const PieceList& pieces, const Arcs& arcs, size_t i) {
     return row;
 }
 
-/// Draws scratch.pieces and empties the list; wide ones are kept for finish_pieces.
+/// Whether samples of cells are asked what the arc covers. It is widest where it is nearest to the foot; one that is
+/// wide at the foot itself is no thin strip anywhere.
+inline bool is_near(const ArcRow& arc, float near, float cell_size) {
+    if (arc.width > kWideShare * cell_size) return true;
+    const float place = std::max({arc.along, -arc.along - arc.length, 0.0f});
+    return square(arc.width * arc.foot) > square(near * cell_size) * (square(arc.foot) + square(place));
+}
+
+/// Draws scratch.pieces and empties the list; near ones are kept for finish_pieces.
 template <class Depth>
-void draw_pieces(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ProjectionScratch& scratch,
-                 CellDepths<Depth>& to) {
-    const float cell_size = igloo.cell_size();
+void draw_pieces(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch, CellDepths<Depth>& to) {
+    const float cell_size = in.igloo.cell_size();
     PieceList& pieces = scratch.pieces;
     make_arcs(pieces, cell_size, scratch.arcs);
     for (size_t i = 0; i < pieces.size; ++i) {
         const ArcRow arc = arc_of(pieces, scratch.arcs, i);
-        if (arc.width > kWideShare * cell_size) {
-            scratch.wide_arcs.push_back(arc);
+        if (is_near(arc, in.near, cell_size)) {
+            scratch.near_arcs.push_back(arc);
             continue;
         }
-        if (!scratch.splats.has_room(arc.steps)) add_splats(igloo, from, opacity, scratch.splats, to);
+        if (!scratch.splats.has_room(arc.steps)) add_splats(in.igloo, from, in.opacity, scratch.splats, to);
         draw_arc(arc, scratch.splats);
     }
     pieces.size = 0;
 }
 
-/// Draws what is left of a point's pieces. Wide ones come segment by segment, whichever cubes a tree has cut them into.
-template <class Depth>
-void finish_pieces(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, ProjectionScratch& scratch,
-                   CellDepths<Depth>& to) {
-    draw_pieces(igloo, from, opacity, scratch, to);
-    add_splats(igloo, from, opacity, scratch.splats, to);
-    std::vector<ArcRow>& arcs = scratch.wide_arcs;
-    std::sort(arcs.begin(), arcs.end(), [](const ArcRow& a, const ArcRow& b) {
-        return a.segment != b.segment ? a.segment < b.segment : a.along < b.along;
-    });
-    scratch.wide.absorbed.resize(to.cells);
-    const ArcRow* const end = arcs.data() + arcs.size();
-    for (const ArcRow *arc = arcs.data(), *next = arc; arc != end; arc = next) {
-        next = std::find_if(arc, end, [&](const ArcRow& other) { return other.segment != arc->segment; });
-        for (const ArcRow *run = arc, *past = run; run != next; run = past) {
-            past = end_of_run(run, next);
-            cover(igloo, from, opacity, joined(run, past), scratch.wide);
-        }
-        add_fiber(scratch.wide, to);
+inline float end_of(const ArcRow& arc) { return arc.along + arc.length; }
+
+/// One arc in place of those of a segment from order[i] on that follow each other without a gap; i becomes that of the
+/// next.
+inline ArcRow next_near(const std::vector<ArcRow>& arcs, const std::vector<NearOrder>& order, size_t& i) {
+    const auto from_foot = [](const ArcRow& arc) { return std::max({arc.along, -end_of(arc), 0.0f}); };
+    const auto radius_at = [](const ArcRow& arc, float place) {
+        return arc.radius * (1 + arc.taper * (place - arc.along - 0.5f * arc.length));
+    };
+    const ArcRow& first = arcs[order[i].arc];
+    const ArcRow *high = &first, *middle = &first;  // the farthest, and the nearest to the foot
+    size_t count = 1;
+    for (++i; i < order.size(); ++i, ++count) {
+        const ArcRow& arc = arcs[order[i].arc];
+        if (arc.segment != first.segment || arc.along > end_of(*high) + 0.01f * first.radius) break;
+        if (end_of(arc) > end_of(*high)) high = &arc;
+        if (from_foot(arc) < from_foot(*middle)) middle = &arc;
     }
-    arcs.clear();
+    if (count == 1) return first;
+    const float start = first.along, end = end_of(*high);
+    const float start_radius = radius_at(first, start), end_radius = radius_at(*high, end);
+    ArcRow whole = *middle;  // knows best which way the foot is
+    whole.along = start, whole.length = end - start;
+    whole.radius = 0.5f * (start_radius + end_radius);
+    whole.taper = (end_radius - start_radius) / std::max(whole.radius * whole.length, 1e-30f);
+    whole.width = 2 * std::asin(std::min(whole.radius / whole.foot, 1.0f));
+    return whole;
+}
+
+/// Draws what is left of a point's pieces. Near ones come segment by segment, whichever cubes a tree has cut them into.
+template <class Depth>
+void finish_pieces(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch,
+                   CellDepths<Depth>& to) {
+    draw_pieces(in, from, scratch, to);
+    add_splats(in.igloo, from, in.opacity, scratch.splats, to);
+    const std::vector<ArcRow>& arcs = scratch.near_arcs;
+    std::vector<NearOrder>& order = scratch.near_order;
+    order.clear();
+    for (size_t i = 0; i < arcs.size(); ++i) order.emplace_back(arcs[i], uint32_t(i));
+    std::sort(order.begin(), order.end());
+    const float widest = std::sin(0.5f * std::min(kThinCells * in.igloo.cell_size(), kThinWidth));
+    for (size_t i = 0; i < order.size();) {
+        const ArcRow arc = next_near(arcs, order, i);
+        const float largest_radius = arc.radius * (1 + 0.5f * std::abs(arc.taper) * arc.length);
+        if (largest_radius <= widest * arc.foot)
+            cover_thin(in.igloo, from, in.opacity, arc, scratch);
+        else
+            cover_wide(in.igloo, from, in.opacity, arc, scratch);
+    }
+    scratch.near_arcs.clear();
 }
 
 }  // namespace HWY_NAMESPACE

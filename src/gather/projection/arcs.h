@@ -6,7 +6,9 @@
 // perpendicular, of length p) and the angle phi about it, and the solid angle is cos psi dpsi dphi.
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/aligned_array.h"
 #include "core/math.h"
@@ -41,6 +43,19 @@ struct ArcRow {
     float radius, taper;  // mean; change along the axis, over the mean
     int32_t first_opacity_row;
     uint32_t segment;  // that the arc is a part of
+};
+
+/// Near arcs in the order of segments and of places on them.
+struct NearOrder {
+    uint64_t key;
+    uint32_t arc;
+
+    NearOrder(const ArcRow& row, uint32_t index) : arc(index) {
+        const uint32_t bits = std::bit_cast<uint32_t>(row.along);
+        const uint32_t rising = bits >> 31 ? ~bits : bits | 0x80000000u;
+        key = uint64_t(row.segment) << 32 | rising;
+    }
+    bool operator<(const NearOrder& o) const { return key != o.key ? key < o.key : arc < o.arc; }
 };
 
 }  // namespace tress

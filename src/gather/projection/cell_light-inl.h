@@ -9,6 +9,7 @@
 
 #include "gather/projection/cell_depths.h"
 #include "gather/projection/cell_light.h"
+#include "gather/projection/near_cells.h"
 #include "gather/projection/vector_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,8 +19,21 @@ namespace HWY_NAMESPACE {
 /// Room for whole vectors past the last cell.
 inline size_t padded(size_t cells) { return (cells + kMostLanes - 1) / kMostLanes * kMostLanes; }
 
-/// `root`: sqrt(T) of each cell, padded with anything. A neighbour beyond the last cell (below a hemisphere's horizon)
-/// is the cell itself: no gap, and no opposite neighbours to tell scatter by.
+/// What hair next to the point lets through, to every channel of `to`.
+inline void let_through_near(const NearCells& near, size_t cells, bool in_sight, bool gray, CellTransmittance& to) {
+    for (int c = 0; c < (gray ? 1 : 3); ++c) {
+        if (to.channel[c].size() < padded(cells)) to.channel[c] = AlignedArray<float>(padded(cells));
+        for (size_t i = cells; i < padded(cells); ++i) to.channel[c][i] = 0;
+    }
+    for (size_t i = 0; i < cells; ++i) {
+        const Rgbx through = near.through(i, cells, in_sight);
+        for (int c = 0; c < (gray ? 1 : 3); ++c) to.channel[c][i] = through.c[c];
+    }
+}
+
+/// Multiplies `light` by what other hair lets through. `root`: sqrt(T) of each cell, padded with anything. A neighbour
+/// beyond the last cell (below a hemisphere's horizon) is the cell itself: no gap, and no opposite neighbours to tell
+/// scatter by.
 inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, const GapShares& shares, float* light) {
     const Floats d;
     const Ints di;
@@ -41,7 +55,7 @@ inline void add_gaps(const Igloo& igloo, size_t cells, const float* root, const 
             scatter = scatter + both * both;
         }
         const FloatVec added = set(shares.gap / 8) * gap - set(shares.scatter / 4) * scatter;
-        hn::Store(hn::Clamp(own * own + added, hn::Zero(d), set(1.0f)), d, light + i);
+        hn::Store(hn::Load(d, light + i) * hn::Clamp(own * own + added, hn::Zero(d), set(1.0f)), d, light + i);
     }
 }
 
@@ -64,7 +78,6 @@ void find_channel(const Igloo& igloo, const CellDepths<Depth>& depths, size_t ce
     for (size_t i = cells; i < padded(cells); ++i) root[i] = 0;
     for (size_t i = 0; i < cells; i += hn::Lanes(d))
         hn::Store(exp_minus(set(0.5f) * hn::Load(d, root + i)), d, root + i);
-    if (to.channel[kChannel].size() < padded(cells)) to.channel[kChannel] = AlignedArray<float>(padded(cells));
     add_gaps(igloo, cells, root, shares, to.channel[kChannel].data());
 }
 

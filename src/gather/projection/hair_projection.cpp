@@ -10,16 +10,17 @@ namespace {
 constexpr float kCubesAcross = 256;  // of the smallest, over the hair
 
 ProjectionInput input_of(const HairProjection& p) {
-    return {p.igloo, p.opacity, p.segments, p.tree, p.options.opening, p.options.splats};
+    return {p.igloo, p.opacity, p.segments, p.tree, p.options.opening, p.options.splats, p.options.near};
 }
 
 Rgb color(float depth) { return Rgb(depth); }
 Rgb color(const Rgbx& depth) { return {depth.c[0], depth.c[1], depth.c[2]}; }
 
 template <class Depth>
-std::vector<PackedDepth> packed(const CellDepths<Depth>& depths) {
+std::vector<PackedDepth> packed(const CellDepths<Depth>& depths, const NearCells& near) {
     std::vector<PackedDepth> to(depths.cells);
-    for (size_t cell = 0; cell < depths.cells; ++cell) to[cell] = pack_depth(color(depths.sum(cell)));
+    for (size_t cell = 0; cell < depths.cells; ++cell)
+        to[cell] = pack_depth(color(depths.sum(cell)) - log(color(near.cells[cell].transmittance())));
     return to;
 }
 
@@ -79,7 +80,7 @@ FarHair find_far_hair(const HairProjection& p, const Viewpoint& from, float size
     far.near_box = {from.position - p.tree.origin, kNearCubes * size, size};
     projection_kernels(isa).project_far(in, from, far, scratch);
     far.near.shrink_to_fit();
-    far.depth = p.opacity.gray ? packed(scratch.gray) : packed(scratch.color);
+    far.depth = p.opacity.gray ? packed(scratch.gray, scratch.near) : packed(scratch.color, scratch.near);
     return far;
 }
 

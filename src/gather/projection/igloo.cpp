@@ -96,23 +96,34 @@ void find_centers(Igloo& igloo) {
 
 void find_samples(Igloo& igloo) {
     constexpr int kSide = Igloo::kSampleSide;
-    static_assert(Igloo::kSamples == kSide * kSide && kSide % 2 == 0);
-    for (auto* row : {&igloo.sample_x, &igloo.sample_y, &igloo.sample_z}) row->clear();
-    float least_cosine = 1;
+    static_assert(Igloo::kSamples == kSide * kSide && kSide % 2 == 0 && Igloo::kColumnEntries % kSide == 0);
+    const auto middle_of = [](int part) { return (float(part) + 0.5f) / kSide; };
     for (uint32_t cell = 0; cell < igloo.cells; ++cell) {
-        const Vec3 middle(igloo.center_x[cell], igloo.center_y[cell], igloo.center_z[cell]);
-        for (int i = 0; i < kSide; ++i)
-            for (int j = 0; j < kSide; ++j) {
-                const float height = (float(i) + 0.5f) / kSide;
-                const auto place = [&](int column) { return Vec2(height, (float(column) + 0.5f) / kSide); };
-                const Vec3 sample =
-                    mirrored_direction(igloo, cell, place(j), place(std::min(j, kSide - 1 - j)), 2 * j >= kSide);
-                igloo.sample_x.push_back(sample.x), igloo.sample_y.push_back(sample.y);
-                igloo.sample_z.push_back(sample.z);
-            }
-        for (const Vec2& corner : {Vec2(0, 0), Vec2(0, 1), Vec2(1, 0), Vec2(1, 1)})
-            least_cosine = std::min(least_cosine, dot(middle, direction_in(igloo, cell, corner)));
+        igloo.row_of_cell.push_back(place_of(igloo, cell).row);
+        for (int i = 0; i < int(Igloo::kColumnEntries); ++i) {
+            const int column = i % kSide;
+            const Vec2 place(0.5f, middle_of(column)), halved(0.5f, middle_of(std::min(column, kSide - 1 - column)));
+            const Vec3 w = mirrored_direction(igloo, cell, place, halved, 2 * column >= kSide);
+            const float radius = std::sqrt(w.x * w.x + w.y * w.y);
+            igloo.column_cosine.push_back(w.x / radius), igloo.column_sine.push_back(w.y / radius);
+        }
     }
+    for (uint32_t row = 0; row < igloo.rows(); ++row)
+        for (int i = 0; i < int(Igloo::kSamples); ++i) {
+            const Vec3 w = direction_in(igloo, igloo.row_first[row], {middle_of(i / kSide), 0.5f});
+            const float radius = std::sqrt(w.x * w.x + w.y * w.y);
+            igloo.sample_height.push_back(w.z), igloo.sample_radius.push_back(radius);
+            igloo.sample_slope.push_back(w.z / radius);
+        }
+}
+
+void find_cell_radius(Igloo& igloo) {
+    float least_cosine = 1;
+    for (uint32_t cell = 0; cell < igloo.cells; ++cell)
+        for (const Vec2& corner : {Vec2(0, 0), Vec2(0, 1), Vec2(1, 0), Vec2(1, 1)})
+            least_cosine =
+                std::min(least_cosine, dot(Vec3(igloo.center_x[cell], igloo.center_y[cell], igloo.center_z[cell]),
+                                           direction_in(igloo, cell, corner)));
     igloo.cell_radius = std::acos(std::clamp(least_cosine, -1.0f, 1.0f));
 }
 
@@ -130,6 +141,7 @@ Igloo make_igloo(uint32_t cells) {
     find_neighbors(igloo);
     find_centers(igloo);
     find_samples(igloo);
+    find_cell_radius(igloo);
     return igloo;
 }
 

@@ -15,10 +15,18 @@ namespace tress {
 
 enum class Dome { hemisphere, sphere };  // at polygons, at hair
 
+/// Samples of a cell: columns repeat after kSampleSide entries.
+struct SampleRows {
+    const float *cosine, *sine;            // Igloo::kColumnEntries
+    const float *height, *radius, *slope;  // Igloo::kSamples
+    float up;                              // -1: of the lower hemisphere, below by as much as these are above
+};
+
 struct Igloo {
     static constexpr uint32_t kFewestCells = 4, kMostCells = 1 << 14;  // a hemisphere
-    static constexpr int kSampleSide = 4;                              // rows and columns of a cell's samples
-    static constexpr size_t kSamples = 16;                             // directions of a cell: kSampleSide squared
+    static constexpr int kSampleSide = 8;                              // rows and columns of a cell's samples
+    static constexpr size_t kSamples = 64;                             // directions of a cell: kSampleSide squared
+    static constexpr size_t kColumnEntries = 16;                       // of columns: a whole vector of them, twice
     static constexpr size_t kPadding = 16;                             // entries past the last, for whole vectors
 
     uint32_t cells = 0;               // a hemisphere
@@ -27,8 +35,12 @@ struct Igloo {
                                   // as first + count * 2^16
     std::vector<float> center_x, center_y, center_z;  // of each cell of the sphere, padded as `neighbor`
     float cell_radius = 0;                            // largest angle between a cell's middle and a direction in it
-    std::vector<float> sample_x, sample_y, sample_z;  // kSamples of each cell of the upper hemisphere, in even rows of
-                                                      // height and columns of azimuth
+    // Samples, in even rows of height and columns of azimuth, sample i in row i / kSampleSide and column i %
+    // kSampleSide. Azimuths: kColumnEntries of each cell of the upper hemisphere. Heights: kSamples of each row of
+    // cells.
+    std::vector<float> column_cosine, column_sine;
+    std::vector<float> sample_height, sample_radius, sample_slope;  // z, sqrt(1 - z^2), and one over the other
+    std::vector<uint32_t> row_of_cell;                              // of each cell of the upper hemisphere
     std::vector<int32_t> neighbor;  // 4 x (2 cells): left, right, nearest above and below, over the sphere
 
     uint32_t rows() const { return uint32_t(row_first.size()) - 1; }
@@ -36,6 +48,13 @@ struct Igloo {
     float solid_angle() const { return 2 * kPi / float(cells); }
     /// Side of a square of a cell's solid angle, radians.
     float cell_size() const { return std::sqrt(solid_angle()); }
+    SampleRows samples_of(uint32_t cell) const {
+        const bool lower = cell >= cells;
+        const uint32_t upper = lower ? cell - cells : cell;
+        const size_t column = kColumnEntries * upper, row = kSamples * row_of_cell[upper];
+        return {&column_cosine[column], &column_sine[column], &sample_height[row],
+                &sample_radius[row],    &sample_slope[row],   lower ? -1.0f : 1.0f};
+    }
 };
 
 /// `cells`: of a hemisphere, kFewestCells to kMostCells.

@@ -200,8 +200,14 @@ MomentTree make_moment_tree(const SegmentView& segments, const HairOpacity& opac
     const HairCube root = hair_cube(bounds(segments));
     tree.origin = root.center;
     tree.half_size = root.half;
-    for (size_t i = 0; i < segments.size(); ++i)
-        tree.largest_radius = std::max({tree.largest_radius, segments.start_radius(i), segments.end_radius(i)});
+    double area = 0, length = 0;
+    for (size_t i = 0; i < segments.size(); ++i) {
+        const float start = segments.start_radius(i), end = segments.end_radius(i);
+        tree.largest_radius = std::max({tree.largest_radius, start, end});
+        const double long_by = double(glm::distance(segments.start(i), segments.end(i)));
+        area += 0.5 * (double(start) + double(end)) * long_by, length += long_by;
+    }
+    tree.mean_radius = length > 0 ? float(area / length) : tree.largest_radius;
     std::vector<HairPiece> pieces = all_pieces(segments, DVec3(tree.origin));
     Part part;
     Builder(opacity, options, tree.largest_radius).build({DVec3(0), double(tree.half_size)}, pieces, 0, part);

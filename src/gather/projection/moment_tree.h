@@ -61,13 +61,13 @@ struct MomentBox {
 };
 
 struct MomentTree {
-    Vec3 origin{0};       // center of the root
-    float half_size = 0;  // of the root
-    float largest_radius = 0;
-    std::vector<MomentBlock> blocks;   // blocks[0]: the children of the root; empty: no hair
-    std::vector<uint32_t> leaf_first;  // piece that a leaf starts with; and one past the end
-    std::vector<Vec3> leaf_low;        // low corner of each leaf's cube, relative to origin
-    std::vector<float> leaf_size;      // of its side
+    Vec3 origin{0};                             // center of the root
+    float half_size = 0;                        // of the root
+    float largest_radius = 0, mean_radius = 0;  // the mean over lengths
+    std::vector<MomentBlock> blocks;            // blocks[0]: the children of the root; empty: no hair
+    std::vector<uint32_t> leaf_first;           // piece that a leaf starts with; and one past the end
+    std::vector<Vec3> leaf_low;                 // low corner of each leaf's cube, relative to origin
+    std::vector<float> leaf_size;               // of its side
     MomentPieces pieces;
 };
 

@@ -39,16 +39,17 @@ struct SeenCubes {
     uint32_t taken, opened;  // bits
 };
 
-/// A point's own fiber, told apart in leaves alone. Opened for it are cubes with hair as near as `reach`, and cubes
-/// that its box meets and that have so little hair that it may be much of it. Without a fiber, none is met.
-struct OwnFiber {
-    Vec3 middle{0}, half{-std::numeric_limits<float>::infinity()};  // of its box, relative to the point
-    float reach = 0;
+/// What leaves alone tell apart: hair whose samples are asked, and a point's own fiber. Opened are cubes with hair as
+/// near as `reach`, and cubes that the box of the fiber meets and that have so little hair that it may be much of it.
+/// Without a fiber, none is met.
+struct NextToPoint {
+    Vec3 middle{0}, half{-std::numeric_limits<float>::infinity()};  // of the fiber's box, relative to the point
+    float reach;
     float little = 0;  // area of hair, of a cube with sides of 1
 };
 
-/// Opened are cubes nearer than `reach`, and those that `own` says. `side`: of the cubes.
-HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, const OwnFiber& own, float side,
+/// Opened are cubes nearer than `reach`, and those that `next` says. `side`: of the cubes.
+HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, const NextToPoint& next, float side,
                         float splats_at_reach, SeenCubes& seen) {
     const CubeFloats d;
     const CubeInts di;
@@ -84,12 +85,12 @@ HWY_INLINE void look_at(const MomentBlock& b, const Vec3& from, float reach, con
         const auto off = [&](const CubeVec& v, const float* half) {
             return hn::Max(hn::Abs(v) - hn::Load(d, half + i), zero);
         };
-        const auto few = area < hn::Set(d, own.little * side);
+        const auto few = area < hn::Set(d, next.little * side);
         const CubeVec off_x = off(x, b.hx), off_y = off(y, b.hy), off_z = off(z, b.hz);
-        const auto beside = off_x * off_x + off_y * off_y + off_z * off_z < hn::Set(d, own.reach * own.reach);
+        const auto beside = off_x * off_x + off_y * off_y + off_z * off_z < hn::Set(d, next.reach * next.reach);
         const auto meets_box =
-            hn::And(meets(x, b.hx, own.middle.x, own.half.x),
-                    hn::And(meets(y, b.hy, own.middle.y, own.half.y), meets(z, b.hz, own.middle.z, own.half.z)));
+            hn::And(meets(x, b.hx, next.middle.x, next.half.x),
+                    hn::And(meets(y, b.hy, next.middle.y, next.half.y), meets(z, b.hz, next.middle.z, next.half.z)));
         hn::StoreMaskBits(d, hn::Or(hn::Or(hn::And(meets_box, few), beside), squared < hn::Set(d, reach * reach)),
                           near);
         seen.taken |= uint32_t(hair[0] & ~near[0]) << i;
@@ -152,7 +153,7 @@ void draw_leaf(const ProjectionInput& in, const Viewpoint& from, const Unseen& u
         const float start = radius * float(p.start_radius[i]), end = radius * float(p.end_radius[i]);
         const auto add = [&](float s, float t) {
             if (!(s < t)) return;
-            if (scratch.pieces.full()) draw_pieces(in.igloo, from, in.opacity, scratch, to);
+            if (scratch.pieces.full()) draw_pieces(in, from, scratch, to);
             scratch.pieces.add(s > 0 ? offset + glm::mix(a, b, s) : offset + a,
                                t < 1 ? offset + glm::mix(a, b, t) : offset + b, glm::mix(start, end, s),
                                glm::mix(start, end, t), scale, in.opacity.kind_of(p.segment[i]), p.segment[i]);
@@ -182,9 +183,12 @@ public:
         const float widest = std::min(in.opening * in.igloo.cell_size(), kWidestCube);
         per_half_ = 1 / widest;
         splats_at_reach_ = in.sub_splats * square(widest / in.igloo.cell_size());
-        if (unseen.first <= unseen.last)
-            own_ = {unseen.box.center() - from.position, 0.5f * unseen.box.extent() + Vec3(in.tree.largest_radius),
-                    (kOwnStrandRadii + 1) * in.tree.largest_radius, kLittleHair * 2 * in.tree.largest_radius};
+        const MomentTree& tree = in.tree;
+        next_.reach = 2 * tree.mean_radius / (in.near * in.igloo.cell_size());
+        if (unseen.first > unseen.last) return;
+        next_ = {unseen.box.center() - from.position, 0.5f * unseen.box.extent() + Vec3(tree.largest_radius),
+                 std::max(next_.reach, (kOwnStrandRadii + 1) * tree.largest_radius),
+                 kLittleHair * 2 * tree.largest_radius};
     }
 
     /// All hair.
@@ -249,7 +253,7 @@ private:
         while (entries_ > 0) {
             const MomentCube cube = stack_[--entries_];
             const MomentBlock& block = in_.tree.blocks[size_t(cube.child)];
-            look_at(block, at_, cube.half * per_half_, own_, cube.half, splats_at_reach_, seen);
+            look_at(block, at_, cube.half * per_half_, next_, cube.half, splats_at_reach_, seen);
             split(cube, seen);
             for (uint32_t bits = seen.taken; bits != 0; bits &= bits - 1) {
                 const size_t o = size_t(std::countr_zero(bits));
@@ -267,7 +271,7 @@ private:
                     draw_leaf<Kept::whole>(in_, from_, unseen_, block.child[o], {}, scratch_, to_);
             }
         }
-        finish_pieces(in_.igloo, from_, in_.opacity, scratch_, to_);
+        finish_pieces(in_, from_, scratch_, to_);
         add_splats<SplatOf::cube>(in_.igloo, from_, in_.opacity, scratch_.cube_splats, to_);
     }
 
@@ -279,7 +283,7 @@ private:
     Vec3 at_;
     float per_half_;  // distance at which a cube is taken whose parent is of half side 1
     float splats_at_reach_;
-    OwnFiber own_;
+    NextToPoint next_{};
     static constexpr size_t kDeepest = 24;  // of the tree (kMostDepth of moment_tree.cpp), and some
     MomentCube stack_[8 * kNearCubes * kNearCubes * kNearCubes + 8 * kDeepest];
     size_t entries_ = 0;

@@ -23,6 +23,7 @@ namespace HWY_NAMESPACE {
 template <class Run>
 void with_depths(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch, const Run& run) {
     const size_t cells = in.igloo.cells_of(from.dome) * (from.sight.empty() ? 1 : 2);
+    scratch.near.clear(cells);
     if (in.opacity.gray) {
         scratch.gray.clear(cells);
         run(scratch.gray);
@@ -51,6 +52,7 @@ void project_near_of(const ProjectionInput& in, const Viewpoint& from, const Uns
                      ProjectionScratch& scratch) {
     const auto run = [&](auto& depths) {
         depths.start(far);
+        scratch.near.clear(depths.cells);
         MomentWalk(in, from, unseen, scratch, depths).near(far);
     };
     if (in.opacity.gray)
@@ -68,6 +70,7 @@ void find_light(const ProjectionInput& in, const Viewpoint& from, const GapShare
     to.gray = in.opacity.gray;
     to.cells = in.igloo.cells_of(from.dome);
     const auto find = [&](bool in_sight, CellTransmittance& light) {
+        let_through_near(scratch.near, to.cells, in_sight, to.gray, light);
         if (to.gray) return find_channel<0>(in.igloo, scratch.gray, to.cells, in_sight, gaps, light);
         find_channel<0>(in.igloo, scratch.color, to.cells, in_sight, gaps, light);
         find_channel<1>(in.igloo, scratch.color, to.cells, in_sight, gaps, light);

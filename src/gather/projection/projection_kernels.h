@@ -19,6 +19,7 @@ struct ProjectionInput {
     const MomentTree& tree;             // empty where segments are projected
     float opening;                      // cubes larger than this many cells are opened
     float sub_splats;                   // splats of a cube as large as a cell
+    float near;                         // share of a cell: wider hair is told apart by samples
 };
 
 struct ProjectionKernels {

@@ -2,24 +2,22 @@
 // Arrays that projection keeps between points: one set a thread.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "gather/projection/arcs.h"
 #include "gather/projection/cell_depths.h"
+#include "gather/projection/near_cells.h"
 #include "gather/projection/piece_list.h"
 #include "gather/projection/projected_segments.h"
 #include "gather/projection/splats.h"
 
 namespace tress {
 
-/// What one wide fiber absorbs in the cells that it covers, before that is turned into depth: its parts cover a cell
-/// side by side, not one behind another.
-struct WideFiber {
-    std::vector<Rgbx> absorbed;     // share of each cell's light, one a cell of the sphere; 0 outside the list
-    std::vector<uint32_t> touched;  // cells
-    std::vector<std::pair<uint32_t, uint32_t>>
-        covered;  // by the piece being drawn: a cell, and how much of it, in parts of its samples
+/// Of the piece being drawn: a cell, which of its samples are covered, and how much of the squares about them.
+struct CoveredSamples {
+    uint32_t cell;
+    uint64_t samples;
+    uint32_t parts;
 };
 
 /// A segment that stands for `weight` like it.
@@ -52,13 +50,15 @@ struct NearRows {
 struct ProjectionScratch {
     std::vector<ChosenSegment> chosen;  // by layers of distance
     ProjectedSegments chosen_rows;      // the rows of some of them; empty where none are chosen
-    NearRows near;
+    NearRows near_rows;
     CellSplats segment_splats;
     Splats splats, cube_splats;  // of arcs, of cubes
     PieceList pieces;
     Arcs arcs{PieceList::kCapacity + PieceList::kPadding};
-    std::vector<ArcRow> wide_arcs;  // of the point, in the order of the pieces
-    WideFiber wide;
+    std::vector<ArcRow> near_arcs;  // of the point, in the order of the pieces
+    std::vector<NearOrder> near_order;
+    std::vector<CoveredSamples> covered;
+    NearCells near;
     CellDepths<float> gray;
     CellDepths<Rgbx> color;
 };

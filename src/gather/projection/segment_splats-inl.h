@@ -28,11 +28,11 @@ struct SplatBounds {
     float widest;       // of one splat
     float widest_part;  // of several: a part may be a quarter nearer, and three quarters wider by its taper
 
-    explicit SplatBounds(float cell_size)
+    SplatBounds(float cell_size, float near)
         : longest(std::min(kLongestSplat * cell_size, 0.25f)),
           halved(std::min(2 * longest, 0.5f)),
           quartered(std::min(4 * longest, 0.65f)),
-          widest(std::min(kWideShare * cell_size, 0.1f)),
+          widest(std::min(near * cell_size, 0.1f)),
           widest_part(0.4f * widest) {}
 };
 

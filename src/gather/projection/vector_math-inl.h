@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "gather/projection/polynomials.h"
@@ -38,8 +39,10 @@ HWY_INLINE FloatVec counted_from(float first) { return hn::Iota(Floats(), 0.0f) 
 /// A bit a lane, the first lane's the lowest.
 HWY_INLINE uint32_t bits_of(FloatMask mask) {
     uint8_t bytes[8] = {};
+    uint16_t bits;  // at most kMostLanes
     hn::StoreMaskBits(Floats(), mask, bytes);
-    return bytes[0] | uint32_t(bytes[1]) << 8;
+    std::memcpy(&bits, bytes, sizeof(bits));
+    return bits;
 }
 
 /// c[0] + c[1] x + ...
@@ -71,24 +74,6 @@ HWY_INLINE FloatVec exp_minus(FloatVec x) {
     const FloatVec mantissa = polynomial(kExp2Polynomial, power - whole);
     const IntVec exponent = hn::ShiftLeft<23>(hn::ConvertTo(di, whole) + hn::Set(di, 127));
     return hn::IfThenElseZero(x < set(86.0f), mantissa * hn::BitCast(Floats(), exponent));
-}
-
-/// -log(1 - x) for x in [0, 1), within 3e-7 of itself: 2 artanh((1 - m) / (1 + m)) of the mantissa m in [1 / sqrt(2),
-/// sqrt(2)) of 1 - x, and its exponent.
-template <class D>
-HWY_INLINE hn::Vec<D> minus_log_of_rest(D d, hn::Vec<D> x) {
-    const hn::RebindToSigned<D> di;
-    using Ints = decltype(di);
-    const hn::Vec<D> one = hn::Set(d, 1.0f);
-    const auto bits = hn::BitCast(di, one - x), root_half = hn::Set(di, 0x3f3504f3);
-    const hn::Vec<Ints> exponent = hn::ShiftRight<23>(bits - root_half);
-    const hn::Vec<D> mantissa = hn::BitCast(d, bits - hn::ShiftLeft<23>(exponent));
-    const auto whole = hn::RebindMask(d, exponent == hn::Zero(di));
-    const hn::Vec<D> t = hn::IfThenElse(whole, x, one - mantissa) / (one + mantissa), s = t * t;
-    const hn::Vec<D> series =
-        one +
-        s * (hn::Set(d, 1 / 3.0f) + s * (hn::Set(d, 1 / 5.0f) + s * (hn::Set(d, 1 / 7.0f) + s * hn::Set(d, 1 / 9.0f))));
-    return hn::Set(d, 2.0f) * t * series - hn::Set(d, 0.69314718f) * hn::ConvertTo(d, exponent);
 }
 
 /// Nearest whole number of |x| < 2^21, as std::nearbyint: the sum's last bits are it, where ConvertTo of Highway asks

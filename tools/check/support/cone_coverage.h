@@ -95,7 +95,7 @@ inline std::vector<double> coverage(const ProjectedHair& hair, const Viewpoint& 
     find_light(hair.projection, from, isa, scratch, light);
     std::vector<double> covered(light.cells);
     for (size_t cell = 0; cell < light.cells; ++cell)
-        covered[cell] = double(scratch.gray.sum(cell)) / -std::expm1(-depth);
+        covered[cell] = summed(scratch, cell) / -std::expm1(-depth);
     return covered;
 }
 

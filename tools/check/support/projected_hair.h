@@ -116,6 +116,11 @@ inline std::vector<Rgb> seen_with(Isa isa, const ProjectedHair& hair, const View
     return cells_of(light);
 }
 
+/// What gray hair sums to in a cell where no two fibers hide each other: depths, and the shares that near hair stops.
+inline double summed(const ProjectionScratch& scratch, size_t cell) {
+    return double(scratch.gray.sum(cell)) + double(scratch.near.cells[cell].stopped.c[0]);
+}
+
 inline double mean_of(const std::vector<Rgb>& cells) {
     double sum = 0;
     for (const Rgb& cell : cells) sum += double(mean(cell));
