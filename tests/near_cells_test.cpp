@@ -24,13 +24,13 @@ uint64_t random_samples(uint64_t key, float chance) {
 }  // namespace
 
 TEST_CASE("several pieces let through the mean over samples of what covers each") {
-    for (const int pieces : {2, 3, 7}) {
+    for (const int pieces : {2, 3, 7, 15}) {
         CAPTURE(pieces);
         NearCell cell;
         double count[64] = {};
         for (int piece = 0; piece < pieces; ++piece) {
             const uint64_t samples = random_samples(hash(1, uint64_t(piece)), 0.7f);
-            cell.add(uint32_t(piece), samples, kOpacity);
+            cell.add(uint32_t(piece), 0, samples, kOpacity);
             for (int i = 0; i < 64; ++i) count[i] += double(samples >> i & 1);
         }
         const Rgbx through = cell.transmittance();
@@ -42,21 +42,19 @@ TEST_CASE("several pieces let through the mean over samples of what covers each"
     }
 }
 
-TEST_CASE("more than seven pieces one behind another count as seven") {
-    NearCell seven, many;
+TEST_CASE("more than fifteen pieces one behind another count as fifteen") {
+    NearCell fifteen, many;
     for (uint32_t piece = 0; piece < 40; ++piece) {
-        if (piece < 7) seven.add(piece, ~uint64_t(0), kOpacity);
-        many.add(piece, ~uint64_t(0), kOpacity);
+        if (piece < 15) fifteen.add(piece, 1, ~uint64_t(0), kOpacity);
+        many.add(piece, 1, ~uint64_t(0), kOpacity);
     }
-    for (int c = 0; c < 3; ++c) CHECK(many.transmittance().c[c] == doctest::Approx(seven.transmittance().c[c]));
+    for (int c = 0; c < 3; ++c) CHECK(many.transmittance().c[c] == doctest::Approx(fifteen.transmittance().c[c]));
 }
 
-TEST_CASE("what one fiber lets through is known by its solid angle, whatever its samples are") {
+TEST_CASE("what one segment lets through is known by its solid angle, whatever its samples are") {
     NearCell cell;
-    for (int piece = 0; piece < 3; ++piece) {
-        cell.add(5, random_samples(hash(2, uint64_t(piece)), 0.3f), kOpacity);
-        cell.stop(0.125f, kOpacity);
-    }
+    for (int piece = 0; piece < 3; ++piece)
+        cell.add(5, 0.125f, random_samples(hash(2, uint64_t(piece)), 0.3f), kOpacity);
     for (int c = 0; c < 3; ++c) CHECK(cell.transmittance().c[c] == 1 - 3 * (0.125f * kOpacity.c[c]));
 }
 
@@ -64,18 +62,17 @@ TEST_CASE("a cell without near hair lets all through, and one that is all covere
     NearCell cell;
     for (int c = 0; c < 3; ++c) CHECK(cell.transmittance().c[c] == 1);
     const Rgbx opaque = {{1, 1, 1, 0}};
-    cell.stop(1.5f, opaque);
-    cell.add(1, ~uint64_t(0), opaque);
+    cell.add(1, 1.5f, ~uint64_t(0), opaque);
     for (int c = 0; c < 3; ++c) CHECK(cell.transmittance().c[c] == 0);
-    cell.add(2, ~uint64_t(0), opaque);
+    cell.add(2, 1, ~uint64_t(0), opaque);
     for (int c = 0; c < 3; ++c) CHECK(cell.transmittance().c[c] == 0);
 }
 
 TEST_CASE("hair behind polygons hides what is beyond, and nothing that is in sight") {
     NearCells near;
     near.clear(4);
-    near.cells[1].stop(0.25f, kOpacity);
-    near.cells[3].stop(0.5f, kOpacity);  // the same cell's, behind
+    near.cells[1].add(0, 0.25f, 0, kOpacity);
+    near.cells[3].add(1, 0.5f, 0, kOpacity);  // the same cell's, behind
     CHECK(near.through(1, 2, true).c[0] == 0.75f);
     CHECK(near.through(1, 2, false).c[0] == 0.375f);
     CHECK(near.through(0, 2, false).c[0] == 1);

@@ -83,8 +83,8 @@ TEST_CASE("a thin segment whose samples are asked stops in each cell what the fo
         for (const PlacedCone& placed : kThin) check_cone(placed, detail, 0.003, 0.04, 0.01f);
 }
 
-// An edge across a square at any angle is right to 0.043 of it, and four of a cell's sixteen lie at an edge: 0.011 of
-// such a cell, and few are.
+// An edge across a square at any angle is right to 0.043 of it, and eight of a cell's 64 lie at an edge: 0.005 of such
+// a cell, and few are.
 TEST_CASE("a wide segment stops in each cell what the formula says") {
     for (const ProjectionDetail detail : kDetails)
         for (const PlacedCone& placed : kWide) check_cone(placed, detail, 0.001, 0.01);

@@ -175,6 +175,22 @@ TEST_CASE("shares of the gap to neighbours are added to each cell behind near ha
         }
 }
 
+// As seen by samples, before a polygon and behind it alike: whether hair is told apart does not depend on it.
+TEST_CASE("hair next to a point behind what polygons show hides the sky as ever, one fiber behind another") {
+    std::vector<Cone> behind;
+    for (const float far : {1.0f, 1.5f, 2.0f})
+        behind.push_back({far * Vec3(0.05f, -1, 1), far * Vec3(0, 1, 1), far * 0.05f, far * 0.05f});
+    for (const ProjectionDetail detail : kDetails) {
+        CAPTURE(int(detail));
+        const ProjectedHair hair = projected(strands_of(behind), gray_fiber(), detail, without_gap());
+        Viewpoint from{Vec3(0), random_frame(15), Dome::sphere};
+        const std::vector<Rgb> open = seen(hair, from);
+        const std::vector<float> sight(open.size(), 0.4f * 0.4f);
+        from.sight = sight;
+        CHECK(mean_difference(seen(hair, from), open) < 1e-6);
+    }
+}
+
 TEST_CASE("hair behind what polygons show is not in sight, thin or wide, and hides the sky as ever") {
     for (const ProjectionDetail detail : kDetails)
         for (const float radius : {0.002f, 0.2f}) {

@@ -10,21 +10,24 @@
 namespace tress {
 namespace {
 
-/// Of hair of which samples are asked: as the area, in cells, that it is within. Of a point at the defaults.
-double cost_of_near(float near) { return (1 + 0.018 / square(double(near))) / 1.147; }
-
 /// Of one point of hair. Cells and cubes cost by measured powers (docs/projection.md); layers and simplified hair as
 /// what they keep.
 double seconds_of_projection(const ProjectionOptions& o, ProjectionDetail detail, double segments) {
     switch (detail) {
         case ProjectionDetail::tree:
             return kWalkSeconds * std::pow(o.cells / 256.0, 1.2) * std::pow(3 / double(o.opening), 1.7) *
-                   std::pow(segments / kWalkSegments, 0.2) * cost_of_near(o.near);
+                   std::pow(segments / kWalkSegments, 0.2);
         case ProjectionDetail::simplified:
             return kProjectedSegmentSeconds * segments * double(o.share) / o.stride;
         default:
             return kProjectedSegmentSeconds * segments;
     }
+}
+
+/// What hair next to a point, told apart by samples, adds to that at the defaults: it grows with the area that it is
+/// in.
+double seconds_of_near(const ProjectionOptions& o) {
+    return kSampledSeconds * (square(double(ProjectionOptions().near) / double(o.near)) - 1);
 }
 
 /// Corners of a grid over the hair that points ask for: those about the surface that the picture shows, and some deep.
@@ -55,17 +58,18 @@ GatherCost estimate_gather_cost(const Scene& scene, const Options& options, Proj
 
     const bool tree = detail == ProjectionDetail::tree;
     const double whole = seconds_of_projection(o, detail, double(segments.size()));
+    const double near = tree ? seconds_of_near(o) : 0;
     const int at_gaps = gap_points(spp * at_hair);
     const double trials = at_gaps * (1 + 1.0 / kGapPointsOfPolygons);
     const auto cost = [&](bool far_field) {
         const double probes = corners(scene, hair, share, probes_across(o, far_field), spp * at_hair);
-        const double point = far_field ? kNearSeconds + kNearShare * whole : whole;
+        const double point = near + (far_field ? kNearSeconds + kNearShare * whole : whole);
         const double probe = (meshes ? 2.0 * o.probe_cells * kProbeRaySeconds : 0) + (far_field ? whole : 0);
         return GatherCost{
             spp * rays,
             spp * (at_hair * (point + o.directions * kDirectionSeconds) + elsewhere * o.rays * kPolygonRaySeconds),
             (tree ? double(segments.size()) * kTreeSegmentSeconds : 0) +
-                trials * (kTrialSeconds + kTrialWalks * whole) + probes * probe,
+                trials * (kTrialSeconds + kTrialWalks * (whole + near)) + probes * probe,
             far_field, at_gaps};
     };
     const GatherCost alone = cost(false);

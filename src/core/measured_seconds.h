@@ -22,6 +22,7 @@ inline constexpr double kProjectedSegmentSeconds = 4.2e-9;  // a segment project
 inline constexpr double kWalkSeconds = 117e-6;              // a walk of the tree: 256 cells, opening 3, and
 inline constexpr double kWalkSegments = 1.2e6;              // as many segments
 inline constexpr double kNearSeconds = 50e-6;               // the hair next to a point alone, and
+inline constexpr double kSampledSeconds = 13e-6;            // of a walk: samples of cells next to the point
 inline constexpr double kNearShare = 0.25;                  // of the whole walk
 inline constexpr double kTreeSegmentSeconds = 1.5e-6;       // a segment put into the tree
 inline constexpr double kTrialSeconds = 4.7e-3;             // a point at which the gap is found, by rays, and

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pieces of hair next to a point, drawn along the arcs that they are seen as, in steps that are small in a cell; those
-// that are not thin in a cell, sample by sample (near_fiber-inl.h, wide_fiber-inl.h).
+// Pieces of hair, drawn along the arcs that they are seen as, in steps that are small in a cell; those next to the
+// point, sample by sample of cells (near_fiber-inl.h, wide_fiber-inl.h).
 #if defined(TRESS_GATHER_PROJECTION_ARCS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRESS_GATHER_PROJECTION_ARCS_INL_H
 #undef TRESS_GATHER_PROJECTION_ARCS_INL_H

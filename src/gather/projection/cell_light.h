@@ -16,7 +16,8 @@ struct GapShares {
     float gap = 0, scatter = 0;
 };
 
-/// Transmittance of a cell: exp(-depth) with shares of gaps, kept in [0, 1].
+/// Transmittance of a cell: what hair next to the point lets through, times exp(-depth) with shares of gaps, kept in
+/// [0, 1], of other hair.
 struct CellTransmittance {
     AlignedArray<float> channel[3];  // one a cell of the dome; gray: only the first
 

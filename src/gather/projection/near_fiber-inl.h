@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pieces of hair next to a point that are no wider than half a cell: which samples of which cells they cover.
+// Pieces of hair next to a point that are no wider than a cell and a half: which samples of which cells they cover.
 #if defined(TRESS_GATHER_PROJECTION_NEAR_FIBER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRESS_GATHER_PROJECTION_NEAR_FIBER_INL_H
 #undef TRESS_GATHER_PROJECTION_NEAR_FIBER_INL_H
@@ -34,7 +34,8 @@ struct Heights {
 /// Heights of a piece whose axis and direction to the foot have these in an igloo's frame, and some more.
 inline Heights heights_of(const ArcRow& arc, float axis_z, float normal_z) {
     constexpr float kAllAround = 0.5f;  // width of pieces that may be anywhere
-    if (arc.width > kAllAround) return {-1, 1};
+    const float widest = arc.width * (1 + 0.5f * std::abs(arc.taper) * arc.length);
+    if (widest > kAllAround) return {-1, 1};
     const float first = arc.along, last = arc.along + arc.length;
     const auto height_at = [&](float place) {
         return (arc.foot * normal_z + place * axis_z) / std::sqrt(square(arc.foot) + square(place));
@@ -45,7 +46,7 @@ inline Heights heights_of(const ArcRow& arc, float axis_z, float normal_z) {
     if (low < apex && apex < high)  // where the great circle is highest, or lowest, lies between the ends
         (normal_z > 0 ? heights.most : heights.least) =
             std::copysign(std::sqrt(square(normal_z) + square(axis_z)), normal_z);
-    return {heights.least - arc.width, heights.most + arc.width};
+    return {heights.least - widest, heights.most + widest};
 }
 
 /// A thin piece in the frame of an igloo: a ray meets it that is in both wedges, `beside` its axis and between its
@@ -173,22 +174,15 @@ struct CoveredCell {
     uint64_t samples;
 };
 
-/// Adds a piece of `arc` in one cell; `normal` and `across` as in NearPiece. What is behind polygons is none that
-/// samples could see hair behind.
+/// Adds a piece of `arc` in one cell; `normal` and `across` as in NearPiece.
 inline void add_covered(const Viewpoint& from, size_t cells, const HairOpacity& opacity, const ArcRow& arc,
                         const Vec3& normal, const Vec3& across, const CoveredCell& covered, NearCells& to) {
     const float ahead = dot(covered.middle, normal), aside = dot(covered.middle, across);
     const float squared = ahead * ahead + aside * aside, sine = std::min(std::sqrt(squared), 1.0f);
-    const Rgbx& o = opacity.row[size_t(arc.first_opacity_row + opacity_row(sine))];
-    if (!from.sight.empty()) {
-        const float distance = arc.foot * std::max(ahead, 0.0f) / std::max(squared, 1e-12f);
-        if (distance * distance > from.sight[covered.cell]) {
-            to.cells[covered.cell + cells].stop(covered.share, o);
-            return;
-        }
-    }
-    to.cells[covered.cell].stop(covered.share, o);
-    to.cells[covered.cell].add(arc.segment, covered.samples, o);
+    const float distance = arc.foot * std::max(ahead, 0.0f) / std::max(squared, 1e-12f);
+    const bool hidden = !from.sight.empty() && distance * distance > from.sight[covered.cell];
+    to.cells[covered.cell + (hidden ? cells : 0)].add(arc.segment, covered.share, covered.samples,
+                                                      opacity.row[size_t(arc.first_opacity_row + opacity_row(sine))]);
 }
 
 inline Vec3 center_of(const Igloo& igloo, size_t cell) {

@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-/// Calls run(depths) with the cleared sums of as many channels as the hair needs.
+/// Calls run(depths) with the cleared sums of as many channels as the hair needs; clears what is near.
 template <class Run>
 void with_depths(const ProjectionInput& in, const Viewpoint& from, ProjectionScratch& scratch, const Run& run) {
     const size_t cells = in.igloo.cells_of(from.dome) * (from.sight.empty() ? 1 : 2);

@@ -23,8 +23,8 @@ struct ProjectionInput {
 };
 
 struct ProjectionKernels {
-    /// Adds every segment, those of scratch.chosen, or the tree to the cells of scratch.gray or scratch.color, which
-    /// are cleared before.
+    /// Adds every segment, those of scratch.chosen, or the tree to the cells of scratch.gray or scratch.color, and hair
+    /// next to the point to those of scratch.near, which are cleared before.
     void (*project_segments)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_chosen)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
     void (*project_tree)(const ProjectionInput&, const Viewpoint&, const Unseen&, ProjectionScratch&);
@@ -33,7 +33,7 @@ struct ProjectionKernels {
     void (*project_near)(const ProjectionInput&, const Viewpoint&, const Unseen&, const FarHair& far,
                          ProjectionScratch&);
     void (*project_far)(const ProjectionInput&, const Viewpoint&, FarHair& far, ProjectionScratch&);
-    /// From the sums of depths to light.
+    /// From depths and hair next to the point to light.
     void (*find_light)(const ProjectionInput&, const Viewpoint&, const GapShares&, const ProjectionScratch&,
                        CellLight&);
     /// Squared distance of polygons among the hair in each cell of a viewpoint near the probe; infinity where there are

@@ -13,7 +13,8 @@
 
 namespace tress {
 
-/// Of the piece being drawn: a cell, which of its samples are covered, and how much of the squares about them.
+/// Of the piece being drawn: a cell, which of its samples are covered, and, of a wide piece, how much of the squares
+/// about them.
 struct CoveredSamples {
     uint32_t cell;
     uint64_t samples;

@@ -9,9 +9,9 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include "core/sampling.h"
 #include "gather/projection/near_fiber-inl.h"
 
 HWY_BEFORE_NAMESPACE();

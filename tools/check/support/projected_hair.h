@@ -118,7 +118,7 @@ inline std::vector<Rgb> seen_with(Isa isa, const ProjectedHair& hair, const View
 
 /// What gray hair sums to in a cell where no two fibers hide each other: depths, and the shares that near hair stops.
 inline double summed(const ProjectionScratch& scratch, size_t cell) {
-    return double(scratch.gray.sum(cell)) + double(scratch.near.cells[cell].stopped.c[0]);
+    return double(scratch.gray.sum(cell)) + double(scratch.near.cells[cell].stopped[0]);
 }
 
 inline double mean_of(const std::vector<Rgb>& cells) {
