@@ -19,9 +19,9 @@ HWY_BEFORE_NAMESPACE();
 namespace tress {
 namespace HWY_NAMESPACE {
 
-inline constexpr float kArcStep = 0.5f;     // of a cell's size, along an arc
-inline constexpr float kWideShare = 0.45f;  // of a cell's size: wider pieces are near ones, whatever the option says
-inline constexpr float kThinCells = 1.5f;   // and no wider than that, and than kThinWidth, is a near piece that is thin
+inline constexpr float kArcStep = 0.5f;      // of a cell's size, along an arc
+inline constexpr float kAlwaysNear = 0.45f;  // of a cell's size: wider pieces are near ones, whatever the option says
+inline constexpr float kThinCells = 1.5f;  // and no wider than that, and than kThinWidth, is a near piece that is thin
 inline constexpr float kThinWidth = 0.25f;
 inline constexpr float kMostArcSteps = 512;  // in half a turn, however small the cells
 
@@ -125,7 +125,7 @@ inline ArcRow arc_of(const PieceList& pieces, const Arcs& arcs, size_t i) {
 /// Whether samples of cells are asked what the arc covers. It is widest where it is nearest to the foot; one that is
 /// wide at the foot itself is no thin strip anywhere.
 inline bool is_near(const ArcRow& arc, float near, float cell_size) {
-    if (arc.width > kWideShare * cell_size) return true;
+    if (arc.width > kAlwaysNear * cell_size) return true;
     const float place = std::max({arc.along, -arc.along - arc.length, 0.0f});
     return square(arc.width * arc.foot) > square(near * cell_size) * (square(arc.foot) + square(place));
 }

@@ -51,14 +51,14 @@ inline Heights heights_of(const ArcRow& arc, float axis_z, float normal_z) {
 
 /// A thin piece in the frame of an igloo: a ray meets it that is in both wedges, `beside` its axis and between its
 /// ends, and not behind the point. Edges are the planes through the point and where the ribbon is widest at either end.
-struct NearPiece {
+struct ThinPiece {
     Vec3 axis, normal, across;  // `normal` to the foot of the perpendicular
     Wedge beside, ends;
     Heights heights;  // that it lies between
     float solid_angle;
     Vec3 middle;  // unit
 
-    NearPiece(const ArcRow& arc, const Frame& frame)
+    ThinPiece(const ArcRow& arc, const Frame& frame)
         : axis(frame.to_local(arc.axis)), normal(frame.to_local(arc.normal)), across(cross(axis, normal)) {
         const float foot = arc.foot, first = arc.along, last = arc.along + arc.length;
         const float from = 1 / std::sqrt(square(foot) + square(first)), to = 1 / std::sqrt(square(foot) + square(last));
@@ -128,7 +128,7 @@ HWY_INLINE uint32_t cells_before(uint32_t end, uint32_t first, FloatMask mask) {
 /// Calls on_cell(cell, whole) for each of the sphere that may see the piece, in order; `whole`: all of it lies between
 /// the piece's ends.
 template <class OnCell>
-HWY_INLINE void for_cells_near(const Igloo& igloo, const NearPiece& p, const OnCell& on_cell) {
+HWY_INLINE void for_cells_near(const Igloo& igloo, const ThinPiece& p, const OnCell& on_cell) {
     const float reach = std::sin(std::min(igloo.cell_radius, kPi / 2));
     const FloatVec least = set(-reach);
     for_middles_between(igloo, p.heights, [&](uint32_t first, const Directions& middle, uint32_t end) {
@@ -174,7 +174,7 @@ struct CoveredCell {
     uint64_t samples;
 };
 
-/// Adds a piece of `arc` in one cell; `normal` and `across` as in NearPiece.
+/// Adds a piece of `arc` in one cell; `normal` and `across` as in ThinPiece.
 inline void add_covered(const Viewpoint& from, size_t cells, const HairOpacity& opacity, const ArcRow& arc,
                         const Vec3& normal, const Vec3& across, const CoveredCell& covered, NearCells& to) {
     const float ahead = dot(covered.middle, normal), aside = dot(covered.middle, across);
@@ -193,7 +193,7 @@ inline Vec3 center_of(const Igloo& igloo, size_t cell) {
 /// its middle.
 inline void cover_thin(const Igloo& igloo, const Viewpoint& from, const HairOpacity& opacity, const ArcRow& arc,
                        ProjectionScratch& scratch) {
-    const NearPiece piece(arc, from.frame);
+    const ThinPiece piece(arc, from.frame);
     const size_t cells = igloo.cells_of(from.dome);
     auto& list = scratch.covered;
     list.clear();

@@ -58,8 +58,7 @@ CellMeans means_at(const ProjectedHair& hair, const Viewpoint& from, Isa isa, Pr
     project(hair.projection, hair.segments(), from, {}, isa, scratch);
     find_light(hair.projection, from, isa, scratch, light);
     CellMeans means;
-    for (size_t cell = 0; cell < light.cells; ++cell)
-        means.depth += summed(scratch, cell) / double(light.cells);
+    for (size_t cell = 0; cell < light.cells; ++cell) means.depth += summed(scratch, cell) / double(light.cells);
     means.through = mean_of(cells_of(light));
     return means;
 }

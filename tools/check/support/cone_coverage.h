@@ -94,8 +94,7 @@ inline std::vector<double> coverage(const ProjectedHair& hair, const Viewpoint& 
     project(hair.projection, hair.segments(), from, {}, isa, scratch);
     find_light(hair.projection, from, isa, scratch, light);
     std::vector<double> covered(light.cells);
-    for (size_t cell = 0; cell < light.cells; ++cell)
-        covered[cell] = summed(scratch, cell) / -std::expm1(-depth);
+    for (size_t cell = 0; cell < light.cells; ++cell) covered[cell] = summed(scratch, cell) / -std::expm1(-depth);
     return covered;
 }
 
